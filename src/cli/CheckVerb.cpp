@@ -1,5 +1,6 @@
 #include "cli/CheckPlan.h"
 #include "cli/Choices.h"
+#include "cli/OpenWorld.h"
 #include "cli/Parse.h"
 #include "cli/PathArguments.h"
 #include "cli/ReportFacts.h"
@@ -157,9 +158,15 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
         return tl::unexpected(fits.error());
     if (Result<void> places = checkOutputPlaces(options); !places)
         return tl::unexpected(places.error());
-    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
+    Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
+    if (options.walk.empty()) {
+        Result<std::vector<world::Place>> tour = tourOf(console, *source);
+        if (!tour)
+            return tl::unexpected(tour.error());
+        source->file.tour = std::move(*tour);
+    }
     const check::ReportContext context{options.seed, worldOptions(options, *source)};
     Result<check::Progress> progress = progressOf(options, nameOfRun(options, context.worldOptions));
     if (!progress)

@@ -1,3 +1,4 @@
+#include "cli/OpenWorld.h"
 #include "cli/Parse.h"
 #include "cli/Verbs.h"
 #include "engine/WorldSource.h"
@@ -56,7 +57,7 @@ Result<Exit> runMap(const MapArguments& arguments, const Console& console) {
             return tl::unexpected(box.error());
     if (Result<void> writable = output::checkPictureWritable(arguments.output); !writable)
         return tl::unexpected(writable.error());
-    const Result<engine::WorldSource> source = engine::openWorldSource(arguments.dat);
+    const Result<engine::WorldSource> source = openWorld(console, arguments.dat);
     if (!source)
         return tl::unexpected(source.error());
     std::optional<Progress> progress;

@@ -1,5 +1,6 @@
 #include "cli/PathArguments.h"
 
+#include "cli/OpenWorld.h"
 #include "cli/Parse.h"
 #include "cli/ShotRequest.h"
 
@@ -97,11 +98,11 @@ Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t 
     return request;
 }
 
-Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& arguments,
-                                                     const engine::WorldSource& source) {
+Result<std::vector<engine::ViewRequest>>
+wayPointsOf(const PathArguments& arguments, const engine::WorldSource& source, const Console& console) {
     std::vector<engine::ViewRequest> points;
     if (arguments.path.empty()) {
-        const Result<std::vector<world::Place>> tour = engine::tourOf(source);
+        const Result<std::vector<world::Place>> tour = tourOf(console, source);
         if (!tour)
             return tl::unexpected(tour.error());
         for (const world::Place& place : *tour)
@@ -129,7 +130,7 @@ Result<engine::ViewRequest> walkStart(const play::WalkRecord& walk) {
 }
 
 Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
-                                        const engine::WorldSource& source) {
+                                        const engine::WorldSource& source, const Console& console) {
     play::FramesRequest request;
     if (!arguments.walk.empty()) {
         Result<play::WalkRecord> walk = play::readWalk(arguments.walk);
@@ -148,7 +149,7 @@ Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::siz
     if (!path)
         return tl::unexpected(path.error());
     request.path = *path;
-    Result<std::vector<engine::ViewRequest>> points = wayPointsOf(arguments, source);
+    Result<std::vector<engine::ViewRequest>> points = wayPointsOf(arguments, source, console);
     if (!points)
         return tl::unexpected(points.error());
     request.points = std::move(*points);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/Console.h"
 #include "engine/WorldSource.h"
 #include "play/FrameSource.h"
 
@@ -26,14 +27,15 @@ void addPathOptions(CLI::App& command, PathArguments& arguments, std::size_t fra
 
 /// The way points, with places resolved: from a file in the format of `shot`'s views files, or from the
 /// world's tour (engine::tourOf). Errors: the file's; tourOf's; NotFound without a tour.
-[[nodiscard]] Result<std::vector<engine::ViewRequest>> wayPointsOf(const PathArguments& arguments,
-                                                                   const engine::WorldSource& source);
+[[nodiscard]] Result<std::vector<engine::ViewRequest>>
+wayPointsOf(const PathArguments& arguments, const engine::WorldSource& source, const Console& console);
 
 /// The first view of a recorded walk. Errors: a malformed start line.
 [[nodiscard]] Result<engine::ViewRequest> walkStart(const play::WalkRecord& walk);
 
 /// Checks the options as far as possible without a session. Errors: as checkPath, wayPointsOf and readWalk.
 [[nodiscard]] Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::size_t frames,
-                                                      const engine::WorldSource& source);
+                                                      const engine::WorldSource& source,
+                                                      const Console& console);
 
 } // namespace limen::cli

@@ -1,3 +1,4 @@
+#include "cli/OpenWorld.h"
 #include "cli/Verbs.h"
 #include "engine/WorldSource.h"
 #include "engine/places/FoundPlaces.h"
@@ -23,7 +24,7 @@ dat::BlockCoord blockOf(const world::Place& place) {
 
 /// Cells of dungeons have coordinates that mean nothing on the map.
 std::string coordinatesOf(const world::Place& place) {
-    return place.cell == 0 ? engine::mapCoordinates(place.eye) : "";
+    return place.cell == 0 ? engine::mapText(Vec2(place.eye)) : "";
 }
 
 std::string cellOf(const world::Place& place) {
@@ -60,7 +61,7 @@ std::string jsonOf(const world::WorldFile& file) {
 }
 
 Result<Exit> runPlaces(const PlacesOptions& options, const Console& console) {
-    const Result<engine::WorldSource> source = engine::openWorldSource(options.dat);
+    const Result<engine::WorldSource> source = openWorld(console, options.dat);
     if (!source)
         return tl::unexpected(source.error());
     if (source->file.places.empty() && !options.json)

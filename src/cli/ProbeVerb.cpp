@@ -1,3 +1,4 @@
+#include "cli/OpenWorld.h"
 #include "cli/PathArguments.h"
 #include "cli/SessionArguments.h"
 #include "cli/Verbs.h"
@@ -21,10 +22,10 @@ struct ProbeOptions {
 constexpr std::size_t kProbeFrames = 2000; // default of --frames
 
 Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
-    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
+    Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<play::FramesRequest> request = checkFrames(options.path, kProbeFrames, *source);
+    Result<play::FramesRequest> request = checkFrames(options.path, kProbeFrames, *source, console);
     if (!request)
         return tl::unexpected(request.error());
     gpu::NullDevice device; // the decisions do not depend on a driver

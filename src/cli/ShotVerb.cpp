@@ -1,3 +1,4 @@
+#include "cli/OpenWorld.h"
 #include "cli/SessionArguments.h"
 #include "cli/ShotFrames.h"
 #include "cli/Verbs.h"
@@ -236,8 +237,8 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
         return tl::unexpected(checked.error());
     const bool namesPlaces = std::any_of(views->begin(), views->end(),
                                          [](const ListedView& listed) { return !listed.view.place.empty(); });
-    Result<engine::WorldSource> source = engine::openWorldSource(
-        options.session.dat, namesPlaces ? engine::PlaceSearch::Find : engine::PlaceSearch::Skip);
+    Result<engine::WorldSource> source = openWorld(
+        console, options.session.dat, namesPlaces ? engine::PlaceSearch::Find : engine::PlaceSearch::Skip);
     if (!source)
         return tl::unexpected(source.error());
     for (ListedView& listed : *views) {

@@ -1,3 +1,4 @@
+#include "cli/OpenWorld.h"
 #include "cli/Parse.h"
 #include "cli/PathArguments.h"
 #include "cli/ReportFacts.h"
@@ -75,12 +76,13 @@ double rateOf(const play::WalkRecord& walk) {
                          : kFilmRate;
 }
 
-Result<TourFrames> checkPathFrames(const TourOptions& options, const engine::WorldSource& source) {
+Result<TourFrames> checkPathFrames(const TourOptions& options, const engine::WorldSource& source,
+                                   const Console& console) {
     PathArguments arguments = options.path;
     const bool isSpaced = !arguments.frames.empty() || !arguments.fps.empty() || !arguments.walk.empty();
     if (!options.outputs.film.empty() && !isSpaced)
         arguments.fps = fmt::format("{:g}", kFilmRate); // a film shows the path at its own pace
-    Result<play::FramesRequest> request = checkFrames(arguments, kTourFrames, source);
+    Result<play::FramesRequest> request = checkFrames(arguments, kTourFrames, source, console);
     if (!request)
         return tl::unexpected(request.error());
     TourFrames frames;
@@ -188,11 +190,11 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     Result<TourOutputs> outputs = TourOutputs::open(options.outputs);
     if (!outputs)
         return tl::unexpected(outputs.error());
-    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
+    Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    Result<TourFrames> request =
-        options.turnTable ? checkTurnTable(options, source->file) : checkPathFrames(options, *source);
+    Result<TourFrames> request = options.turnTable ? checkTurnTable(options, source->file)
+                                                   : checkPathFrames(options, *source, console);
     if (!request)
         return tl::unexpected(request.error());
     Result<engine::HeadlessSession> headless = engine::openHeadless(

@@ -1,4 +1,5 @@
 #include "cli/Choices.h"
+#include "cli/OpenWorld.h"
 #include "cli/PathArguments.h"
 #include "cli/SessionArguments.h"
 #include "cli/Verbs.h"
@@ -34,10 +35,10 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
         return tl::unexpected(request.error());
     if (Result<void> writable = output::checkWritable(options.output); !writable)
         return tl::unexpected(writable.error());
-    Result<engine::WorldSource> source = engine::openWorldSource(options.session.dat);
+    Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
         return tl::unexpected(source.error());
-    const Result<std::vector<engine::ViewRequest>> points = wayPointsOf(options.path, *source);
+    const Result<std::vector<engine::ViewRequest>> points = wayPointsOf(options.path, *source, console);
     if (!points)
         return tl::unexpected(points.error());
     gpu::NullDevice device; // the walk needs no pictures

@@ -1,5 +1,6 @@
 #include "doctor/FileHealth.h"
 
+#include "core/NumberText.h"
 #include "doctor/Bytes.h"
 #include "doctor/Releases.h"
 

@@ -42,11 +42,6 @@ struct MachineFacts {
 /// Checks of the facts, in the order of the table.
 [[nodiscard]] Findings judgeMachine(const MachineFacts& facts);
 
-/// The directory of the user's settings: $XDG_CONFIG_HOME, else $HOME/.config, with "limen" added. Empty if neither is
-/// an absolute path.
-[[nodiscard]] std::filesystem::path configurationRoot();
-/// The font of the window's text; empty if it is not installed.
-[[nodiscard]] std::filesystem::path findUiFont();
 /// Facts of a directory that need not exist yet: the nearest existing one above it decides.
 [[nodiscard]] DirectoryFacts queryDirectory(const std::filesystem::path& path);
 /// A program in PATH; empty if there is none.

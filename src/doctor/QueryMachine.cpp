@@ -1,9 +1,8 @@
 #include "doctor/Machine.h"
-#include "engine/BuiltInWorld.h"
+#include "engine/UserFiles.h"
 #include "gpu/device/HeadlessContext.h"
 #include "gpu/device/TextureMemory.h"
 
-#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -65,28 +64,6 @@ std::uint64_t sizeOfFiles(const fs::path& directory) {
 
 } // namespace
 
-fs::path configurationRoot() {
-    if (const fs::path config = environmentText("XDG_CONFIG_HOME"); config.is_absolute())
-        return config / "limen";
-    if (const fs::path home = environmentText("HOME"); home.is_absolute())
-        return home / ".config" / "limen";
-    return {};
-}
-
-fs::path findUiFont() {
-    constexpr std::array<const char*, 3> kNames{"DejaVuSans.ttf", "NotoSans-Regular.ttf",
-                                                "LiberationSans-Regular.ttf"};
-    std::error_code ignored;
-    for (const char* directory : {"dejavu", "noto", "liberation", "liberation2", "."})
-        for (const char* name : kNames)
-            for (const char* root :
-                 {"/usr/share/fonts/truetype", "/usr/local/share/fonts", "/usr/share/fonts"})
-                if (const fs::path font = fs::path(root) / directory / name;
-                    fs::is_regular_file(font, ignored))
-                    return font;
-    return {};
-}
-
 DirectoryFacts queryDirectory(const fs::path& path) {
     DirectoryFacts facts{path, "", 0, 0};
     if (path.empty())
@@ -133,9 +110,9 @@ MachineFacts queryMachine() {
     facts.availableMemory = memoryField("MemAvailable:");
     facts.display = {environmentText("DISPLAY"), environmentText("WAYLAND_DISPLAY"), false};
     facts.display.answers = !facts.display.x11.empty() && answersAsXServer(facts.display.x11);
-    facts.font = findUiFont();
+    facts.font = engine::findFont(engine::fontPaths(engine::programPath())).value_or(fs::path());
     facts.cache = queryDirectory(engine::cacheRoot());
-    facts.configuration = queryDirectory(configurationRoot());
+    facts.configuration = queryDirectory(engine::configurationRoot());
     facts.ffmpeg = findProgram("ffmpeg");
     return facts;
 }

@@ -1,5 +1,6 @@
 #include "doctor/WorldHealth.h"
 
+#include "core/NumberText.h"
 #include "dat/RecordTypes.h"
 #include "dat/Verify.h"
 #include "doctor/Bytes.h"

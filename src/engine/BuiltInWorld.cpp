@@ -112,19 +112,6 @@ BuiltInWorld::~BuiltInWorld() {
         removeQuietly(directory_);
 }
 
-fs::path cacheRoot() {
-    const auto absolute = [](const char* name) -> fs::path {
-        const char* value = std::getenv(name);
-        const fs::path path = value != nullptr ? value : "";
-        return path.is_absolute() ? path : fs::path();
-    };
-    if (const fs::path cache = absolute("XDG_CACHE_HOME"); !cache.empty())
-        return cache / "limen";
-    if (const fs::path home = absolute("HOME"); !home.empty())
-        return home / ".cache" / "limen";
-    return {};
-}
-
 std::string programKey() {
     Hash hash;
     std::ifstream program("/proc/self/exe", std::ios::binary);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/Error.h"
+#include "engine/UserFiles.h"
 
 #include <filesystem>
 #include <functional>
@@ -27,10 +28,6 @@ private:
     std::filesystem::path directory_;
     bool temporary_ = false;
 };
-
-/// The directory of the program's caches: $XDG_CACHE_HOME, else $HOME/.cache, with "limen" added. Empty if
-/// neither is an absolute path.
-[[nodiscard]] std::filesystem::path cacheRoot();
 
 /// Hash of the running program's file, 16 hexadecimal digits. A rebuilt program thus never reads an older
 /// cached world.

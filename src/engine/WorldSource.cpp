@@ -1,7 +1,6 @@
 #include "engine/WorldSource.h"
 
 #include "engine/DatDirectory.h"
-#include "engine/places/FoundPlaces.h"
 #include "worlds/Demo.h"
 
 namespace limen::engine {
@@ -9,16 +8,19 @@ namespace {
 
 constexpr dat::RecordId kHumanMale = 0x02000001; // setup (docs/uncertain.md)
 
-Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch search) {
+Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch search,
+                                  const SearchProgress& progress) {
     Result<dat::Archive> archive = dat::Archive::open(paths);
     if (!archive)
         return tl::unexpected(archive.error());
     Result<world::WorldFile> file = world::loadWorldFile(paths.directory);
     if (!file)
         return tl::unexpected(file.error());
+    bool isSearched = false;
     if (!std::filesystem::exists(paths.directory / world::kWorldFileName)) {
-        if (search == PlaceSearch::Find) {
-            file = findPlacesCached(*archive, cacheRoot());
+        isSearched = search == PlaceSearch::Find;
+        if (isSearched) {
+            file = findPlacesCached(*archive, cacheRoot(), kWorthCaching, progress);
             if (!file)
                 return tl::unexpected(file.error());
         }
@@ -26,23 +28,24 @@ Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch se
         if (archive->contains<dat::Setup>(kHumanMale))
             file->moving.player = kHumanMale;
     }
-    return WorldSource{{}, std::move(*archive), std::move(*file), ""};
+    return WorldSource{{}, std::move(*archive), std::move(*file), "", isSearched};
 }
 
-Result<WorldSource> openAt(const std::filesystem::path& path, PlaceSearch search) {
+Result<WorldSource> openAt(const std::filesystem::path& path, PlaceSearch search,
+                           const SearchProgress& progress) {
     return findDatDirectory(path).and_then(
-        [&](const DatDirectory& there) { return openDirectory(there.paths, search); });
+        [&](const DatDirectory& there) { return openDirectory(there.paths, search, progress); });
 }
 
 /// Opens the cached world. If it is damaged (by a full disk, or by another program), it is written again,
 /// once.
-Result<WorldSource> openBuiltIn() {
+Result<WorldSource> openBuiltIn(const SearchProgress& progress) {
     const std::string key = programKey();
     for (int attempt = 0;; ++attempt) {
         Result<BuiltInWorld> builtIn = openBuiltInWorld(cacheRoot(), key, worlds::writeBuiltInWorld);
         if (!builtIn)
             return tl::unexpected(builtIn.error());
-        Result<WorldSource> source = openAt(builtIn->directory(), PlaceSearch::Find);
+        Result<WorldSource> source = openAt(builtIn->directory(), PlaceSearch::Find, progress);
         if (source)
             source->builtIn = std::move(*builtIn);
         if (source || attempt == 1)
@@ -53,18 +56,18 @@ Result<WorldSource> openBuiltIn() {
 
 } // namespace
 
-Result<std::vector<world::Place>> tourOf(const WorldSource& source) {
-    if (!source.file.tour.empty())
+Result<std::vector<world::Place>> tourOf(const WorldSource& source, const SearchProgress& progress) {
+    if (source.isSearched || !source.file.tour.empty())
         return source.file.tour;
-    return findPlacesCached(source.archive, cacheRoot()).map([](world::WorldFile&& found) {
-        return std::move(found.tour);
-    });
+    return findPlacesCached(source.archive, cacheRoot(), kWorthCaching, progress)
+        .map([](world::WorldFile&& found) { return std::move(found.tour); });
 }
 
-Result<WorldSource> openWorldSource(const std::string& path, PlaceSearch search) {
+Result<WorldSource> openWorldSource(const std::string& path, PlaceSearch search,
+                                    const SearchProgress& progress) {
     if (path.empty())
-        return openBuiltIn();
-    Result<WorldSource> source = openAt(path, search);
+        return openBuiltIn(progress);
+    Result<WorldSource> source = openAt(path, search, progress);
     if (source) {
         // A command that draws a frame again names the directory itself, and not one above it.
         std::error_code error;

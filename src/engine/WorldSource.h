@@ -2,7 +2,7 @@
 
 #include "dat/Archive.h"
 #include "engine/BuiltInWorld.h"
-#include "world/Places.h"
+#include "engine/places/FoundPlaces.h"
 
 #include <optional>
 #include <vector>
@@ -14,7 +14,8 @@ struct WorldSource {
     std::optional<BuiltInWorld> builtIn; ///< keeps a temporary directory alive
     dat::Archive archive;
     world::WorldFile file;
-    std::string datOption; ///< "" or " --dat DIR", for command lines in reports
+    std::string datOption;   ///< "" or " --dat DIR", for command lines in reports
+    bool isSearched = false; ///< places, start and tour of `file` are from the records
 };
 
 /// Whether a world without world.json gets the places, start and tour that its records suggest. Skip saves the
@@ -23,12 +24,15 @@ enum class PlaceSearch { Find, Skip };
 
 /// Opens the dat files at `path`: a directory, one of its files, or a directory above it (DatDirectory.h).
 /// Empty: the built-in world. Errors: findDatDirectory's; the archive's; the world file's; the built-in world
-/// cannot be written.
+/// cannot be written; `progress` ended the search.
 [[nodiscard]] Result<WorldSource> openWorldSource(const std::string& path,
-                                                  PlaceSearch search = PlaceSearch::Find);
+                                                  PlaceSearch search = PlaceSearch::Find,
+                                                  const SearchProgress& progress = {});
 
 /// The world's tour; without one, the tour that its records suggest, also beside a world.json that has places
-/// only. May be empty. Errors: a damaged index.
-[[nodiscard]] Result<std::vector<world::Place>> tourOf(const WorldSource& source);
+/// only. May be empty. Records are searched once: not if `openWorldSource` did. Errors: a damaged index;
+/// `progress` ended the search.
+[[nodiscard]] Result<std::vector<world::Place>> tourOf(const WorldSource& source,
+                                                       const SearchProgress& progress = {});
 
 } // namespace limen::engine

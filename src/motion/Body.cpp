@@ -15,8 +15,9 @@ constexpr double kLongestStep = 0.017; // seconds: whole steps at 30 and 60 fram
 constexpr double kSkin = 0.005;        // metres kept between a body and its obstacles
 constexpr int kMostSlides = 4;         // planes that one step slides along
 constexpr int kMostWaysOut = 4;        // attempts to leave overlaps
-constexpr double kFlattest = 0.05;     // least upward part of the normal of an edge that carries a body
-constexpr double kBehindEdge = 0.02;   // metres: where the surface behind an edge is probed
+constexpr int kLifts = 4; // heights from which a step is tried: round feet slide over the rest of 0.15 m
+constexpr double kFlattest = 0.05;   // least upward part of the normal of an edge that carries a body
+constexpr double kBehindEdge = 0.02; // metres: where the surface behind an edge is probed
 constexpr double kAboveEdge =
     0.05;                       // metres above the edge where the probe begins, and below it where it ends
 constexpr double kStill = 1e-4; // metres: settling by less leaves a standing body as it is, to the bit
@@ -92,6 +93,8 @@ private:
         const double free = bump ? bump->share * (length + kSkin) - kSkin : length;
         if (free > 0.0)
             goTo(from + direction * std::min(free, length));
+        if (bump)
+            highest_ = std::max(highest_, bump->at.z);
         return bump;
     }
 
@@ -179,16 +182,29 @@ private:
     }
 
     /// Moves on the level. If that is shorter than the way, tries again from the height of a step, and keeps
-    /// the longer of the two. Both end on the ground.
+    /// the longer of the two. Both end on the ground. A low lintel stops a body that is lifted by a whole
+    /// step, so smaller lifts follow.
     void walk(const Vec3& way) {
         const BodyState start = body_;
         slide(way, true);
         settle(shape_.stepDown);
+        const double wanted = levelLength(way) - kNoLength;
+        const double top = start.standing.feet.z + shape_.capsule.height;
+        for (int lift = kLifts; lift > 0; --lift) {
+            if (levelLength(body_.standing.feet - start.standing.feet) >= wanted)
+                return;
+            highest_ = top;
+            stepOver(way, start, shape_.stepUp * lift / kLifts);
+            if (!(highest_ > top)) // the obstacle is no lintel
+                return;
+        }
+    }
+
+    /// Replaces a shorter way from `start` by the way from `lift` metres above it, if that ends farther away.
+    void stepOver(const Vec3& way, const BodyState& start, double lift) {
         const BodyState level = body_;
-        if (levelLength(level.standing.feet - start.standing.feet) >= levelLength(way) - kNoLength)
-            return;
         body_ = start;
-        push(kUp * shape_.stepUp);
+        push(kUp * lift);
         slide(way, true);
         settle(body_.standing.feet.z - start.standing.feet.z + shape_.stepDown);
         const bool isFarther = levelLength(body_.standing.feet - start.standing.feet) >
@@ -229,7 +245,8 @@ private:
     [[nodiscard]] static double levelLength(const Vec3& v) { return std::hypot(v.x, v.y); }
 
     BodyState body_;
-    Vec3 touched_{0.0}; ///< the point that the feet touched when they last settled; global
+    Vec3 touched_{0.0};    ///< the point that the feet touched when they last settled; global
+    double highest_ = 0.0; ///< the highest contact since it was set, global metres
     const Collisions& around_;
     std::span<const double> doors_;
     const BodyShape& shape_;

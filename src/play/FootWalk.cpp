@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace limen::play {
@@ -18,6 +19,8 @@ constexpr double kNod = 60.0;          // degrees a second, pitch
 constexpr double kAhead = 40.0;        // degrees off the heading: beyond this the body turns before it walks
 constexpr double kPatience = 1.5;      // seconds without progress before the walker gives up
 constexpr double kSwing = 1.5;         // seconds for a door to swing and for the body to return to it
+constexpr double kBack = 0.5;          // seconds of these in which the body steps back from the leaf
+constexpr int kUses = 2;               // of doors on the way to one way point
 constexpr std::size_t kTries = 8;      // consecutive way points missed before a jump
 constexpr double kNearer = 0.02;       // metres, the least progress
 constexpr double kAtPlace = 1.0;       // largest distance between a place and a way point at it, metres
@@ -82,12 +85,19 @@ private:
         const Vec3 target = feetAt(point);
         const double reached = std::max(kReached, kPace / options_.fps);
         double best = levelDistance(feet(), target), waited = 0.0;
+        int uses = kUses;
         while (best >= reached) {
             if (waited > kPatience)
                 return false;
-            if (waited > 0.5 * kPatience && openTheDoor())
-                waited = -kSwing; // the leaf may push the body back first
-            if (Result<void> stepped = frame(towards(target, point.pitch.value_or(0.0))); !stepped)
+            if (waited > 0.5 * kPatience && uses > 0 && useTheDoor()) {
+                waited = -kSwing;
+                --uses;
+            }
+            widenTheDoor();
+            PlayInput input = towards(target, point.pitch.value_or(0.0));
+            if (waited < kBack - kSwing) // leaves room for the leaf
+                input.forward = -input.forward;
+            if (Result<void> stepped = frame(std::move(input)); !stepped)
                 return tl::unexpected(stepped.error());
             const double now = levelDistance(feet(), target);
             waited = now < best - kNearer ? 0.0 : waited + 1.0 / options_.fps;
@@ -108,12 +118,23 @@ private:
         return input;
     }
 
-    bool openTheDoor() {
-        const std::optional<std::size_t> door = play_.doorInReach();
-        if (!door || play_.opens(*door))
+    /// Opens a shut door, and shuts one whose open leaf is in the way.
+    bool useTheDoor() {
+        if (!play_.doorInReach())
             return false;
         acts_.push_back({PlayActKind::Use});
         return true;
+    }
+
+    /// Opens a door that is ajar before the body is beside its leaf. The first use shuts it, the second opens
+    /// it.
+    void widenTheDoor() {
+        const std::optional<std::size_t> door = play_.doorInReach();
+        const std::vector<double>& open = play_.request().scene.eachDoor;
+        if (!door || *door >= open.size() || !(open[*door] > 0.0 && open[*door] < 1.0))
+            return;
+        if (widened_.insert(session_.part().world.doors[*door].name).second)
+            acts_.insert(acts_.end(), 2, {PlayActKind::Use});
     }
 
     Result<void> frame(PlayInput input) {
@@ -151,7 +172,8 @@ private:
     const std::vector<engine::ViewRequest>& points_;
     const FootWalkOptions& options_;
     const engine::PixelSize size_;
-    std::vector<PlayAct> acts_; ///< of the next frame
+    std::vector<PlayAct> acts_;     ///< of the next frame
+    std::set<std::string> widened_; ///< names of doors that were ajar
     FootWalk walk_;
 };
 

@@ -1,10 +1,10 @@
 #include "viewer/KeyBindings.h"
 
 #include "core/Assert.h"
+#include "engine/UserFiles.h"
 #include "output/OutputFile.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -226,16 +226,8 @@ std::string keyBindingsJson(const KeyBindings& bindings) {
 }
 
 fs::path keysPath() {
-    const auto absolute = [](const char* name) -> fs::path {
-        const char* value = std::getenv(name);
-        const fs::path path = value != nullptr ? value : "";
-        return path.is_absolute() ? path : fs::path();
-    };
-    if (const fs::path config = absolute("XDG_CONFIG_HOME"); !config.empty())
-        return config / "limen" / "keys.json";
-    if (const fs::path home = absolute("HOME"); !home.empty())
-        return home / ".config" / "limen" / "keys.json";
-    return {};
+    const fs::path root = engine::configurationRoot();
+    return root.empty() ? fs::path() : root / "keys.json";
 }
 
 Result<KeyBindings> readKeyBindings(const fs::path& file, bool mustExist) {

@@ -1,5 +1,6 @@
 #include "viewer/Overlay.h"
 
+#include "engine/UserFiles.h"
 #include "viewer/Style.h"
 
 #include <epoxy/gl.h>
@@ -36,7 +37,8 @@ struct Overlay::OverTexture {
 };
 
 Overlay::Overlay(const Window& window)
-    : over_(std::make_unique<OverTexture>()), window_(window), font_(findFont(fontPaths(programPath()))) {
+    : over_(std::make_unique<OverTexture>()), window_(window),
+      font_(engine::findFont(engine::fontPaths(engine::programPath()))) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;                // no file of window positions

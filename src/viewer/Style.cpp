@@ -100,34 +100,6 @@ void applyStyle(float scale) {
     ImGui::GetStyle() = style;
 }
 
-fs::path programPath() {
-    std::error_code error;
-    return fs::read_symlink("/proc/self/exe", error);
-}
-
-std::vector<fs::path> fontPaths(const fs::path& program) {
-    constexpr std::array kNames{"DejaVuSans.ttf", "NotoSans-Regular.ttf", "LiberationSans-Regular.ttf"};
-    std::vector<fs::path> paths;
-    const fs::path beside = program.parent_path();
-    for (const fs::path& directory : {beside, beside / "fonts", beside / ".." / "share" / "limen"})
-        if (!program.empty())
-            paths.push_back(directory / kNames[0]);
-    for (const char* directory : {"dejavu", "noto", "liberation", "liberation2", "."})
-        for (const char* name : kNames)
-            for (const char* root :
-                 {"/usr/share/fonts/truetype", "/usr/local/share/fonts", "/usr/share/fonts"})
-                paths.push_back(fs::path(root) / directory / name);
-    return paths;
-}
-
-std::optional<fs::path> findFont(const std::vector<fs::path>& paths) {
-    std::error_code error;
-    for (const fs::path& path : paths)
-        if (fs::is_regular_file(path, error))
-            return path;
-    return std::nullopt;
-}
-
 bool applyFont(const std::optional<fs::path>& file, float pixels) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <vector>
 
 // The look of all pages and panels: colours, distances, letters. The one place that sets them.
 namespace limen::viewer {
@@ -16,13 +15,6 @@ void applyStyle(float scale);
 
 /// Height of letters at scale 1, in pixels.
 inline constexpr float kLetterSize = 16.0f;
-
-/// Paths at which a font is searched: beside the program first, then in the directories of Debian's packages.
-[[nodiscard]] std::vector<std::filesystem::path> fontPaths(const std::filesystem::path& program);
-/// The first of these files that exists.
-[[nodiscard]] std::optional<std::filesystem::path> findFont(const std::vector<std::filesystem::path>& paths);
-/// The path of the running program; empty if the system does not report it.
-[[nodiscard]] std::filesystem::path programPath();
 
 /// Replaces the font of the current context. Without a file, or if it cannot be read: ImGui's own bitmap
 /// font. Returns whether the file was used. The caller remakes the font's texture.

@@ -1,4 +1,5 @@
 #include "cli/ProgramRunner.h"
+#include "engine/WorldSource.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -57,6 +58,38 @@ TEST(Check, theSameSeedChecksTheSameAndZonesDoNotMatter) {
     };
     EXPECT_EQ(pixels({}), pixels({}));
     EXPECT_EQ(nlohmann::json::parse(pixels({"--apart"}))["random"]["views"], 6);
+}
+
+// The tour that tour, walk and probe take: made from the records where world.json has none.
+TEST(Check, followsATourMadeFromTheRecords) {
+    const ProgramRunner runner;
+    ASSERT_EQ(runner.run({"demo", "town", "--kind", "town", "--size", "4", "--seed", "3"}).exit, 0);
+    const auto pictures = [&] {
+        const ProgramRun run = runner.run(
+            {"check", "--dat", "town", "--kinds", "path", "--views", "6", "--size", "48x27", "--json"});
+        EXPECT_EQ(run.exit, 0) << run.out << run.err;
+        return nlohmann::json::parse(run.out)["pictures_hash"].get<std::string>();
+    };
+    const std::string made = pictures();
+    const std::filesystem::path file = runner.work() / "town" / "world.json";
+    auto world = nlohmann::json::parse(getText(file));
+    const auto rewrite = [&](const nlohmann::json& tour) {
+        world["tour"] = tour;
+        putText(file, world.dump());
+    };
+    const engine::WorldSource source = engine::openWorldSource((runner.work() / "town").string()).value();
+    nlohmann::json tour = nlohmann::json::array();
+    const std::vector<world::Place> found = engine::tourOf(source).value();
+    for (const world::Place& point : found)
+        tour.push_back({{"eye", {point.eye.x, point.eye.y, point.eye.z}},
+                        {"yaw", point.yaw},
+                        {"pitch", point.pitch},
+                        {"cell", dat::idText(point.cell)}});
+    ASSERT_GT(tour.size(), 10u);
+    rewrite(tour);
+    EXPECT_EQ(pictures(), made);
+    rewrite({tour[0], tour[1]});
+    EXPECT_NE(pictures(), made) << "another tour has other views";
 }
 
 TEST(Check, continuesFromItsStateAndRefusesAnothers) {

@@ -61,7 +61,7 @@ TEST(EnvCellCodec, refusesASecondIdThatDiffers) {
     bytes[8] = std::byte{3};
     const auto c = decode<EnvCell>(0x00020102, bytes);
     ASSERT_FALSE(c);
-    EXPECT_EQ(c.error().message(), "record 0x00020102, offset 0x8: the record's second id is 0x00020103");
+    EXPECT_EQ(c.error().message(), "record 0x00020102, offset 0x8: the record repeats its id as 0x00020103");
 }
 
 // The landblock with some values of the format page; others are zero.

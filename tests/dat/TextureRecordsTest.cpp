@@ -23,7 +23,7 @@ TEST(PaletteCodec, refusesANegativeCountAndOneBeyondTheBytes) {
     EXPECT_EQ(negative.error().what, "the number of colours is negative (-1)");
     const auto huge = decode<Palette>(0x04000001, hex("01 00 00 04  FF FF FF 7F  00 00 00 00"));
     ASSERT_FALSE(huge);
-    EXPECT_EQ(huge.error().what, "2147483647 colours are announced, but only 4 bytes follow");
+    EXPECT_EQ(huge.error().what, "the record has 2147483647 colours by its count, but only 4 bytes follow");
 }
 
 TEST(SurfaceTextureCodec, readsTheOneByteTypeAndTheImages) {
@@ -85,7 +85,7 @@ TEST(RenderSurfaceCodec, refusesAbsurdSizesAndUnknownFormats) {
     const auto large = decode<RenderSurface>(
         0x06000001, hex("01 00 00 06  00 00 00 00  01 10 00 00  01 00 00 00  1C 00 00 00  01 00 00 00  00"));
     ASSERT_FALSE(large);
-    EXPECT_EQ(large.error().what, "the image is 4097x1 texels; 0 to 4096 are allowed each way");
+    EXPECT_EQ(large.error().what, "the image has 4097 x 1 texels; each side may have 0 to 4096");
     const auto unknown = decode<RenderSurface>(
         0x06000001, hex("01 00 00 06  00 00 00 00  01 00 00 00  01 00 00 00  3C 00 00 00  01 00 00 00  00"));
     ASSERT_FALSE(unknown);

@@ -195,6 +195,44 @@ TEST(FoundPlaces, aWorldFileWithPlacesAloneGetsATour) {
     EXPECT_GE(tour.size(), 2u);
 }
 
+TEST(FoundPlaces, aSearchReportsItsStepsAndCanBeEnded) {
+    const Nameless town(GeneratedKind::Town, 4);
+    std::vector<std::size_t> steps;
+    const auto count = [&](std::size_t done, std::size_t all) {
+        EXPECT_LE(done, all);
+        steps.push_back(done);
+        return done < all; // the last answer ends nothing
+    };
+    ASSERT_TRUE(findPlaces(town.source->archive, count));
+    ASSERT_GE(steps.size(), 3u) << "the spots, a town, the tour";
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        EXPECT_EQ(steps[i], i + 1);
+    const std::size_t whole = steps.size();
+    steps.clear();
+    const auto end = [&](std::size_t done, std::size_t) {
+        steps.push_back(done);
+        return false;
+    };
+    const auto ended = findPlaces(town.source->archive, end);
+    ASSERT_FALSE(ended);
+    EXPECT_NE(ended.error().message().find("cancelled"), std::string::npos);
+    EXPECT_LT(steps.size(), whole);
+}
+
+// A world whose records give no tour is searched by openWorldSource alone.
+TEST(FoundPlaces, aTourIsSearchedOnce) {
+    Nameless town(GeneratedKind::Town, 4);
+    std::size_t steps = 0;
+    const auto count = [&](std::size_t, std::size_t) { return ++steps > 0; };
+    town.source->file.tour.clear();
+    EXPECT_TRUE(tourOf(*town.source, count).value().empty());
+    EXPECT_EQ(steps, 0u);
+    ASSERT_TRUE(worlds::writeGeneratedWorld({GeneratedKind::Town, 4, 3}, town.directory.path()));
+    const WorldSource named = openWorldSource(town.directory.path().string()).value();
+    EXPECT_FALSE(tourOf(named, count).value().empty());
+    EXPECT_GT(steps, 0u) << "world.json has no tour";
+}
+
 TEST(FoundPlaces, aPositionSavesTheSearch) {
     const Nameless town(GeneratedKind::Town, 2);
     const WorldSource source = openWorldSource(town.directory.path().string(), PlaceSearch::Skip).value();
@@ -225,10 +263,6 @@ TEST(FoundPlaces, aRememberedPlaceComesFirstIfTheWorldHasIt) {
     EXPECT_EQ(firstView(*town.source, there)->eye, there.eye);
     EXPECT_EQ(firstView(*town.source, RememberedPlace{there.eye, 0.0, 0.0, 0x12340156})->eye, start.eye);
     EXPECT_EQ(firstView(*town.source)->eye, start.eye);
-}
-
-TEST(FoundPlaces, mapCoordinatesAreThoseOfTheGame) { // ACE issue 3163
-    EXPECT_EQ(mapCoordinates({0xF9 * 192.0 + 68.0, 0x2F * 192.0 + 20.0, 0.0}), "64.3S 97.5E");
 }
 
 TEST(KnownSpots, standInTheLandcellTheyName) {

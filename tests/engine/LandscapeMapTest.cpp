@@ -221,6 +221,8 @@ TEST(MapCoordinates, areThoseOfTheFormatPage) {
         return mapText(Vec2(x, y) * 192.0 + Vec2(localX, localY));
     };
     EXPECT_EQ(at(0xF9, 0x2F, 68, 20), "64.3S 97.5E");
+    EXPECT_EQ(mapText({0xF9 * 192.0 + 68.0, 0x2F * 192.0 + 20.0}), "64.3S 97.5E"); // ACE issue 3163
+    EXPECT_EQ(mapText({24468.0 - 5.0, 24468.0 - 5.0}), "0.0N 0.0E") << "a rounded zero has no side";
     EXPECT_EQ(mapText({24468.0 - 240.0, 24468.0 + 24.0}), "0.1N 1.0W");
     EXPECT_EQ(blockAtPoint({-5.0, 1e9}), (dat::BlockCoord{0, 254}));
     EXPECT_EQ(blockText({0xA9, 0x04}), "A904");

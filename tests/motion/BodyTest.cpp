@@ -183,6 +183,40 @@ TEST(Body, climbsStepsUpToItsHeightAndNoHigher) {
     }
 }
 
+// The sill of a house's door: a step under a lintel that leaves no room for a body lifted by a whole step.
+TEST(Body, climbsStepsUnderALowLintel) {
+    for (const double headroom : {1.81, 2.0}) {
+        for (const double step : {0.05, 0.14, 0.25, 0.33, 0.42, 0.55}) {
+            SCOPED_TRACE(testing::Message() << step << " m below " << headroom << " m");
+            Hut hut;
+            const std::uint32_t sill = hut.source.addModel(boxExterior({0, -2, 0}, {4, 2, step}));
+            const std::uint32_t lintel = hut.source.addModel(boxExterior({0, -2, 0}, {0.25, 2, 1}));
+            hut.source.addObject(sill, frameAt({32, 40, 2}));
+            hut.source.addObject(lintel, frameAt({32, 40, 2 + step + headroom}));
+            Walker walker(hut.source);
+            walker.put({30, 40, 2.01}, kOutside);
+            walker.go(kYawEast, 1.8);
+            EXPECT_NEAR(walker.feet().z, 2.0 + step, kNear);
+            EXPECT_NEAR(walker.feet().x, 30 + 2.2 * 1.8, 0.3);
+            walker.go(kYawWest, 2.0);
+            EXPECT_NEAR(walker.feet().z, 2.0, kNear) << "and down again";
+        }
+    }
+}
+
+// One that a body does not fit below stays closed.
+TEST(Body, climbsNoStepUnderALintelLowerThanItself) {
+    Hut hut;
+    const std::uint32_t sill = hut.source.addModel(boxExterior({0, -2, 0}, {4, 2, 0.3}));
+    const std::uint32_t lintel = hut.source.addModel(boxExterior({0, -2, 0}, {0.25, 2, 1}));
+    hut.source.addObject(sill, frameAt({32, 40, 2}));
+    hut.source.addObject(lintel, frameAt({32, 40, 2 + 0.3 + 1.7}));
+    Walker walker(hut.source);
+    walker.put({30, 40, 2.01}, kOutside);
+    walker.go(kYawEast, 1.8);
+    EXPECT_LT(walker.feet().x, 32.0);
+}
+
 TEST(Body, climbsStairs) {
     Hut hut;
     for (int i = 0; i < 10; ++i) {

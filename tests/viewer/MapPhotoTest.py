@@ -66,6 +66,31 @@ class MapPhoto(WindowTest):
             view.until(lambda s: s["root"].startswith("0x"), "the hall")
             self.assertEqual(view.leave()[0], 0)
 
+    def test_large_letters_in_a_small_window_leave_every_control_in_reach(self):
+        with self.open("--ui-scale", "2") as view:
+            width, height = view.latest()["size"]
+            view.menu()
+            view.choose("Places")
+            view.page("places")
+            view.choose("inn.hall")
+            view.page("world")
+            view.until(lambda s: s["root"].startswith("0x"), "the hall")
+            view.menu()
+            view.choose("Controls")
+            view.page("controls")
+            view.choose("Back")
+            view.page("menu")
+            view.press("Escape")
+            view.page("world")
+            view.press("m")
+            view.page("map")
+            for name in ("Whole map", "Back"):
+                x, y = view.until(lambda s: name in s["items"], name)["items"][name]
+                self.assertTrue(0 < x < width - 20 and 0 < y < height - 10, f"{name} at {x}, {y}")
+            view.choose("Back")
+            view.page("world")
+            self.assertEqual(view.leave()[0], 0)
+
     def test_photo_mode_takes_a_picture_and_leaves_the_world_as_it_was(self):
         with self.open("--screenshots", "pictures", "--fly") as view:
             os.makedirs(self.path("pictures"), exist_ok=True)

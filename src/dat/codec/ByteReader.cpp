@@ -16,7 +16,7 @@ void ByteReader::failAt(std::size_t offset, std::string reason, ErrorCode code) 
 
 void ByteReader::tooShort(std::size_t size) {
     if (!failed_)
-        fail(fmt::format("the record ends here, {} bytes too early", size - remaining()));
+        fail(fmt::format("the record ends here, but {} more bytes are expected", size - remaining()));
 }
 
 std::string ByteReader::negative(long long n, const char* what) {
@@ -28,7 +28,8 @@ bool ByteReader::fits(std::size_t count, std::size_t minItemBytes, const char* w
         return false;
     if (count <= remaining() / minItemBytes)
         return true;
-    fail(fmt::format("{} {} are announced, but only {} bytes follow", count, what, remaining()));
+    fail(
+        fmt::format("the record has {} {} by its count, but only {} bytes follow", count, what, remaining()));
     return false;
 }
 

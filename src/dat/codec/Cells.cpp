@@ -28,7 +28,7 @@ EnvCellCounts cellCounts(ByteWriter& io, const EnvCell& cell) {
 void idAgain(ByteReader& io, const EnvCell& cell) {
     const auto again = io.get<std::uint32_t>();
     if (again != cell.id && !io.failed())
-        io.failAt(io.offset() - sizeof again, fmt::format("the record's second id is 0x{:08X}", again));
+        io.failAt(io.offset() - sizeof again, fmt::format("the record repeats its id as 0x{:08X}", again));
 }
 void idAgain(ByteWriter& io, const EnvCell& cell) {
     io.value(cell.id);

@@ -13,7 +13,7 @@ namespace limen::dat {
 inline void ownId(ByteReader& io, RecordId key, RecordId& id) {
     io.value(id);
     if (id != key && !io.failed())
-        io.failAt(io.offset() - sizeof id, fmt::format("the record says that its id is 0x{:08X}", id));
+        io.failAt(io.offset() - sizeof id, fmt::format("the record stores another id, 0x{:08X}", id));
 }
 inline void ownId(ByteWriter& io, RecordId, const RecordId& id) {
     io.value(id);
@@ -26,7 +26,7 @@ template <class Record, class Read>
     Result<Record> out{tl::in_place};
     read(io, *out);
     if (!io.failed() && io.remaining() != 0)
-        io.fail(fmt::format("the record should end here, but {} bytes follow", io.remaining()));
+        io.fail(fmt::format("the record ends here by its layout, but {} bytes follow", io.remaining()));
     if (io.failed()) {
         out = fail(io.failureCode(), fmt::format("record 0x{:08X}, offset 0x{:X}", id, io.failureOffset()),
                    io.failureReason());

@@ -47,7 +47,7 @@ void checkImage(ByteReader& io, const RenderSurface& s, std::size_t formatOffset
     const auto inRange = [](std::int32_t n) { return n >= 0 && n <= kMaxDimension; };
     const bool isJpeg = s.format == PixelFormat::RawJpeg;
     if (!isJpeg && (!inRange(s.width) || !inRange(s.height))) {
-        io.failAt(formatOffset - 8, fmt::format("the image is {}x{} texels; 0 to {} are allowed each way",
+        io.failAt(formatOffset - 8, fmt::format("the image has {} x {} texels; each side may have 0 to {}",
                                                 s.width, s.height, kMaxDimension));
         return;
     }

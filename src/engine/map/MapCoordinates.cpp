@@ -17,10 +17,11 @@ dat::BlockCoord blockAtPoint(const Vec2& point) {
 }
 
 std::string mapText(const Vec2& point) {
-    const double east = (point.x - kMapOriginMetres) / kMapUnitMetres;
-    const double north = (point.y - kMapOriginMetres) / kMapUnitMetres;
-    return fmt::format("{:.1f}{} {:.1f}{}", std::abs(north), north < 0.0 ? 'S' : 'N', std::abs(east),
-                       east < 0.0 ? 'W' : 'E');
+    const auto part = [](double metres, char plus, char minus) {
+        const double units = std::round((metres - kMapOriginMetres) / kMapUnitMetres * 10.0) / 10.0;
+        return fmt::format("{:.1f}{}", std::abs(units), units < 0.0 ? minus : plus);
+    };
+    return part(point.y, 'N', 'S') + " " + part(point.x, 'E', 'W');
 }
 
 std::string blockText(dat::BlockCoord block) {

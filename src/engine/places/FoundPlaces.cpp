@@ -26,35 +26,53 @@ constexpr double kSpotBelow = 3.0, kSpotAbove = 15.0; // metres from the ground 
 /// Finds the places of one archive.
 class Search {
 public:
-    Search(const dat::Archive& archive, std::vector<BlockFacts> blocks)
-        : shapes_(archive), blocks_(std::move(blocks)), towns_(findTowns(blocks_)) {
+    Search(const dat::Archive& archive, std::vector<BlockFacts> blocks, const SearchProgress& progress)
+        : shapes_(archive), blocks_(std::move(blocks)), towns_(findTowns(blocks_)), progress_(progress) {
         for (std::size_t town = 0; town < towns_.size(); ++town)
             for (const std::size_t block : towns_[town].blocks)
                 townOf_[dat::blockWord(blocks_[block].coord)] = town;
     }
 
-    world::WorldFile run() {
-        std::vector<Town> ranked = rankedTowns();
+    /// No value: the search was ended.
+    std::optional<world::WorldFile> run() {
+        const std::vector<Town> ranked = rankedTowns();
+        const std::vector<const BlockFacts*> dungeons = largestDungeons();
+        all_ = 1 + ranked.size() + dungeons.size() + 1; // the spots, and the tour
         addSpots();
-        for (const Town& town : ranked)
-            addTown(town);
+        bool goesOn = step();
+        for (std::size_t i = 0; goesOn && i < ranked.size(); ++i) {
+            addTown(ranked[i]);
+            goesOn = step();
+        }
+        for (std::size_t i = 0; goesOn && i < dungeons.size(); ++i) {
+            addDungeon(*dungeons[i]);
+            goesOn = step();
+        }
+        if (!goesOn)
+            return std::nullopt;
+        if (file_.places.empty())
+            addLand();
+        chooseStart();
+        LIMEN_ASSERT(file_.places.empty() || startPlace(), "the start is one of the places");
+        file_.tour = makeTour(shapes_, startPlace(), dungeonPlace());
+        step();
+        return std::move(file_);
+    }
+
+private:
+    /// Counts a step. False: the search ends.
+    bool step() { return !progress_ || progress_(++done_, all_); }
+
+    std::vector<const BlockFacts*> largestDungeons() const {
         std::vector<const BlockFacts*> dungeons;
         for (const BlockFacts& block : blocks_)
             if (block.cells > 0 && block.buildings == 0)
                 dungeons.push_back(&block);
         std::stable_sort(dungeons.begin(), dungeons.end(),
                          [](const BlockFacts* a, const BlockFacts* b) { return a->cells > b->cells; });
-        for (const BlockFacts* dungeon : dungeons)
-            addDungeon(*dungeon);
-        if (file_.places.empty())
-            addLand();
-        chooseStart();
-        LIMEN_ASSERT(file_.places.empty() || startPlace(), "the start is one of the places");
-        file_.tour = makeTour(shapes_, startPlace(), dungeonPlace());
-        return std::move(file_);
+        return dungeons;
     }
 
-private:
     /// Large ones first, and those near the middle of the land before equal ones far away.
     std::vector<Town> rankedTowns() {
         const Vec3 middle = middleOfLand(blocks_);
@@ -125,7 +143,7 @@ private:
         }
         if (auto place = beforeNearestBuilding(shapes_, shapes_.block(main.coord), main.middle)) {
             const char* kind = town.buildings > 1 ? "town" : "house";
-            const std::string name = fmt::format("{} {}", kind, mapCoordinates(main.middle));
+            const std::string name = fmt::format("{} {}", kind, mapText(Vec2(main.middle)));
             firstTown_ = firstTown_.empty() ? name : firstTown_;
             add(std::move(*place), name);
         }
@@ -170,7 +188,7 @@ private:
         if (!place)
             place = aboveGround(shapes_, there.x, there.y);
         if (place)
-            add(std::move(*place), "land " + mapCoordinates(place->eye));
+            add(std::move(*place), "land " + mapText(Vec2(place->eye)));
     }
 
     void chooseStart() {
@@ -209,23 +227,21 @@ private:
     std::string firstTown_;                    ///< the name of the highest in the ranking
     std::set<std::uint32_t> knownDungeons_;    ///< block words >> 16
     std::optional<world::Place> dungeon_;      ///< in the largest dungeon
+    const SearchProgress& progress_;
+    std::size_t done_ = 0, all_ = 0; ///< steps
 };
 
 } // namespace
 
-std::string mapCoordinates(const Vec3& position) {
-    const auto part = [](double metres, char plus, char minus) {
-        const double units = std::round((metres - kMapOriginMetres) / kMapUnitMetres * 10.0) / 10.0;
-        return fmt::format("{:.1f}{}", std::abs(units), units < 0.0 ? minus : plus);
-    };
-    return part(position.y, 'N', 'S') + " " + part(position.x, 'E', 'W');
-}
-
-Result<world::WorldFile> findPlaces(const dat::Archive& archive) {
+Result<world::WorldFile> findPlaces(const dat::Archive& archive, const SearchProgress& progress) {
     Result<std::vector<BlockFacts>> blocks = readBlockIndex(archive);
     if (!blocks)
         return tl::unexpected(blocks.error());
-    return Search(archive, std::move(*blocks)).run();
+    std::optional<world::WorldFile> found = Search(archive, std::move(*blocks), progress).run();
+    if (!found)
+        return fail(ErrorCode::Unreadable, archive.directory().string(),
+                    "the search for places was cancelled");
+    return std::move(*found);
 }
 
 } // namespace limen::engine

@@ -176,12 +176,15 @@ private:
         std::vector<WayPoint> rooms;
         std::size_t most = kRooms;
         std::set<dat::RecordId> visited;
-        roundThroughRooms(shapes_, door.cell, inside, most, visited, rooms);
+        const std::optional<Vec3> square = squareBehind(*shapes_.cell(door.cell), opening);
+        roundThroughRooms(shapes_, door.cell, square.value_or(inside), most, visited, rooms);
         if (rooms.empty())
             return false;
         for (const Vec3& eye : *steps)
             points_.push_back({eye, 0});
         points_.push_back({inside, door.cell});
+        if (square)
+            points_.push_back({*square, door.cell});
         points_.insert(points_.end(), rooms.begin(), rooms.end());
         points_.push_back({opening.eye() - opening.inward * 0.15, 0});
         for (auto eye = steps->rbegin(); eye != steps->rend(); ++eye)

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kSearchVersion = 1;    // raise it when the search finds other places
+constexpr int kSearchVersion = 2;    // raise it when the search finds other places
 constexpr std::size_t kMostKept = 8; // results in the cache
 
 /// Header fields, length and time of the files: other files, or the same files changed, have another key.
@@ -122,14 +122,14 @@ void removeOldest(const fs::path& directory) {
 } // namespace
 
 Result<world::WorldFile> findPlacesCached(const dat::Archive& archive, const fs::path& root,
-                                          std::uint32_t leastBytes) {
+                                          std::uint32_t leastBytes, const SearchProgress& progress) {
     if (root.empty() || archive.cell().header().fileSize < leastBytes)
-        return findPlaces(archive);
+        return findPlaces(archive, progress);
     const fs::path directory = root / "places";
     const fs::path path = directory / (keyOf(archive) + ".json");
     if (std::optional<world::WorldFile> known = readCached(path))
         return std::move(*known);
-    Result<world::WorldFile> found = findPlaces(archive);
+    Result<world::WorldFile> found = findPlaces(archive, progress);
     if (found) {
         writeCached(path, *found);
         removeOldest(directory);

@@ -3,6 +3,7 @@
 #include "engine/ViewRequest.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace limen::engine {
@@ -15,6 +16,8 @@ constexpr double kSampled = 0.4;      // metres between tests of the floor
 constexpr double kBeyond = 0.15;      // metres behind a door's plane: the point is in the next cell
 constexpr double kFarthestLook = 8.0; // metres walked into a room
 constexpr double kNoWay = 1e300;
+constexpr std::array kSquare{1.5, 1.2, 0.9,
+                             0.6}; // metres from a door: beside its open leaf, the longest first
 
 /// The eye just beyond an opening.
 Vec3 beyond(const Opening& opening) {
@@ -33,6 +36,21 @@ const Opening* wayBack(const CellShape& cell, const Opening& opening) {
 void append(const std::vector<Vec3>& eyes, dat::RecordId cell, std::vector<WayPoint>& out) {
     for (const Vec3& eye : eyes)
         out.push_back({eye, cell});
+}
+
+/// True if a body fits at an eye, from its knees upwards.
+bool hasRoom(const CellShape& cell, const Vec3& eye) {
+    for (const double height : {kKnee, 0.9, 1.3, kEyeHeight})
+        if (cell.solids.crowds(eye + Vec3(0.0, 0.0, height - kEyeHeight), kHalfBody))
+            return false;
+    return true;
+}
+
+/// The eyes of bodies that fit into a cell.
+std::vector<Vec3> stopsIn(const CellShape& cell) {
+    std::vector<Vec3> stops = standingEyes(cell);
+    std::erase_if(stops, [&](const Vec3& eye) { return !hasRoom(cell, eye); });
+    return stops;
 }
 
 /// The way from an entry to the stop farthest from it; empty if no stop can be reached.
@@ -113,13 +131,27 @@ std::vector<Vec3> wayInside(const CellShape& cell, const Vec3& from, const Vec3&
     return way;
 }
 
+std::optional<Vec3> squareBehind(const CellShape& cell, const Opening& door) {
+    const double flat = std::hypot(door.inward.x, door.inward.y);
+    const Vec3 inward(door.inward.x / flat, door.inward.y / flat, 0.0);
+    for (const double metres : kSquare) {
+        const Vec3 at = door.eye() + inward * metres;
+        const double floor = cell.solids.floorBelow(at, kEyeHeight + kStepHeight);
+        const Vec3 eye(at.x, at.y, floor + kEyeHeight);
+        if (std::isfinite(floor) && hasRoom(cell, eye) && isWalkable(cell, door.eye(), eye) &&
+            isWalkable(cell, eye, door.eye()))
+            return eye;
+    }
+    return {};
+}
+
 void roundThroughRooms(Shapes& shapes, dat::RecordId id, const Vec3& entry, std::size_t& rooms,
                        std::set<dat::RecordId>& visited, std::vector<WayPoint>& out) {
     const CellShape* cell = shapes.cell(id);
     if (cell == nullptr || rooms == 0 || !visited.insert(id).second)
         return;
     --rooms;
-    const std::vector<Vec3> stops = standingEyes(*cell);
+    const std::vector<Vec3> stops = stopsIn(*cell);
     Vec3 here = entry;
     if (const std::vector<Vec3> into = wayIntoRoom(*cell, entry, stops); !into.empty()) {
         append(into, id, out);
@@ -130,14 +162,21 @@ void roundThroughRooms(Shapes& shapes, dat::RecordId id, const Vec3& entry, std:
         const Opening* back = next == nullptr ? nullptr : wayBack(*next, opening);
         if (back == nullptr || !opening.isDoor() || rooms == 0 || visited.contains(next->id))
             continue;
-        const std::vector<Vec3> there = wayInside(*cell, here, opening.eye(), stops);
-        const std::vector<Vec3> again = wayInside(*cell, beyond(*back), here, stops);
+        const std::optional<Vec3> before = squareBehind(*cell, opening), after = squareBehind(*next, *back);
+        const std::vector<Vec3> there = wayInside(*cell, here, before.value_or(opening.eye()), stops);
+        const std::vector<Vec3> again = wayInside(*cell, before.value_or(beyond(*back)), here, stops);
         if (there.empty() || again.empty())
             continue;
         append(there, id, out);
-        out.back() = {beyond(opening), next->id};
-        roundThroughRooms(shapes, next->id, beyond(opening), rooms, visited, out);
+        if (!before)
+            out.pop_back();
+        out.push_back({beyond(opening), next->id});
+        if (after)
+            out.push_back({*after, next->id});
+        roundThroughRooms(shapes, next->id, after.value_or(beyond(opening)), rooms, visited, out);
         out.push_back({beyond(*back), id});
+        if (before)
+            out.push_back({*before, id});
         append(again, id, out);
     }
     if (here != entry)

@@ -22,6 +22,10 @@ struct WayPoint {
 [[nodiscard]] std::vector<Vec3> wayInside(const CellShape& cell, const Vec3& from, const Vec3& to,
                                           const std::vector<Vec3>& stops);
 
+/// The eye straight behind a door of a cell, 0.6 to 1.5 metres from it: ways turn there, and not beside the
+/// open leaf of the door. Nullopt if no such point is free. Requires an upright door (Opening::isDoor).
+[[nodiscard]] std::optional<Vec3> squareBehind(const CellShape& cell, const Opening& door);
+
 /// Appends a round through a cell and the cells behind its doors, back to the entry. `entry`: an eye just
 /// inside. `rooms` bounds the number of cells and is reduced.
 void roundThroughRooms(Shapes& shapes, dat::RecordId cell, const Vec3& entry, std::size_t& rooms,

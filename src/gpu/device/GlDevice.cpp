@@ -92,9 +92,10 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     const std::size_t wanted = std::max(bytes + bytes / 2, kSmallestSlot);
     const std::size_t slotSize = (wanted + alignment - 1) / alignment * alignment;
     if (slotSize / kBytesPerTexel > capabilities_.maxBufferTexels) {
-        return fail(ErrorCode::Unsupported, "a frame",
-                    fmt::format("needs {0} bytes, but {2} allows {1} texels per buffer", bytes,
-                                capabilities_.maxBufferTexels, capabilities_.renderer));
+        return fail(
+            ErrorCode::Unsupported, "a frame",
+            fmt::format("needs {} bytes, but a buffer has at most {} texels on {}; choose a smaller --radius",
+                        bytes, capabilities_.maxBufferTexels, capabilities_.renderer));
     }
     Result<Buffer> ring = Buffer::createMapped("frame ring", slotSize * kFramesInFlight);
     if (!ring)

@@ -141,9 +141,10 @@ void GlDevice::destroyBuffer(BufferHandle buffer) {
 Result<TextureHandle> GlDevice::createTexture(std::string_view label, const TextureShape& shape) {
     if (std::max(shape.width, shape.height) > capabilities_.maxTextureSize ||
         shape.layers > capabilities_.maxArrayLayers) {
-        return fail(ErrorCode::Unsupported, std::string(label),
-                    fmt::format("{} layers of {} x {} texels exceed the limits of {}", shape.layers,
-                                shape.width, shape.height, capabilities_.renderer));
+        return fail(
+            ErrorCode::Unsupported, std::string(label),
+            fmt::format("has {} layers of {} x {} texels, more than {} allows; choose a smaller --radius",
+                        shape.layers, shape.width, shape.height, capabilities_.renderer));
     }
     const float anisotropy = std::min(shape.anisotropy, capabilities_.maxAnisotropy);
     return Texture::createArray(label, shape.width, shape.height, shape.layers, shape.levels, shape.clamp,
@@ -156,9 +157,10 @@ Result<TextureHandle> GlDevice::createTexture(std::string_view label, const Text
 Result<TextureHandle> GlDevice::createTexels(std::string_view label, BufferHandle buffer) {
     const Buffer& from = buffers_[static_cast<std::size_t>(buffer)];
     if (from.size() / kBytesPerTexel > capabilities_.maxBufferTexels) {
-        return fail(ErrorCode::Unsupported, std::string(label),
-                    fmt::format("{} bytes exceed the {} texels per buffer of {}", from.size(),
-                                capabilities_.maxBufferTexels, capabilities_.renderer));
+        return fail(
+            ErrorCode::Unsupported, std::string(label),
+            fmt::format("has {} bytes, but a buffer has at most {} texels on {}; choose a smaller --radius",
+                        from.size(), capabilities_.maxBufferTexels, capabilities_.renderer));
     }
     return static_cast<TextureHandle>(
         placeNamed(textures_, Texture::createBufferView(label, from.id(), 0, from.size())));

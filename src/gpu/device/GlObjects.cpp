@@ -131,7 +131,9 @@ Result<Buffer> Buffer::createMapped(std::string_view name, std::size_t size) {
     Result<Buffer> buffer =
         kept(Buffer(id, size, {static_cast<std::byte*>(bytes), bytes == nullptr ? 0 : size}), name);
     if (buffer && bytes == nullptr)
-        return fail(ErrorCode::Driver, driverString(), fmt::format("cannot map a buffer of {} bytes", size));
+        return fail(
+            ErrorCode::Driver, driverString(),
+            fmt::format("cannot map a buffer of {} bytes; choose a smaller --radius or --quality", size));
     return buffer;
 }
 
@@ -223,7 +225,7 @@ Result<Program> Program::link(std::string_view name, std::initializer_list<Shade
         logs = programLog(program.id());
     }
     return fail(ErrorCode::Driver, fmt::format("program {}", name),
-                fmt::format("does not build on {}:\n{}", driverString(), logs));
+                fmt::format("cannot be built on {}; update the driver. Its log:\n{}", driverString(), logs));
 }
 
 VertexArray VertexArray::create(std::string_view name) {
@@ -245,7 +247,8 @@ Result<Framebuffer> Framebuffer::create(std::string_view name, std::span<const A
     const GLenum status = glCheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE) {
         return fail(ErrorCode::Driver, driverString(),
-                    fmt::format("cannot create the {} framebuffer (status 0x{:04X})", name, status));
+                    fmt::format("cannot create the {} framebuffer (status 0x{:04X}); update the driver", name,
+                                status));
     }
     return framebuffer;
 }

@@ -60,7 +60,7 @@ void NullDevice::destroyBuffer(BufferHandle buffer) {
 Result<TextureHandle> NullDevice::createTexture(std::string_view label, const TextureShape& shape) {
     if (std::max(shape.width, shape.height) > capabilities_.maxTextureSize ||
         shape.layers > capabilities_.maxArrayLayers)
-        return fail(ErrorCode::Unsupported, std::string(label), "exceeds the limits of this device");
+        return fail(ErrorCode::Unsupported, std::string(label), "is larger than this device allows");
     ++objects_.textures;
     textures_.push_back(shape);
     return static_cast<TextureHandle>(textures_.size() - 1);

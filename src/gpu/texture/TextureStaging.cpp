@@ -60,8 +60,8 @@ Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const Te
     PageLayout layout = layOut(pictures, orderOf(pictures), maxPages, capabilities.maxArrayLayers, before);
     if (layout.pages.size() > maxPages) {
         return fail(ErrorCode::Unsupported, capabilities.renderer,
-                    fmt::format("{} textures exceed its {} pages of {} layers", pictures.size(), maxPages,
-                                capabilities.maxArrayLayers));
+                    fmt::format("cannot hold {} textures in {} pages of {} layers; choose a smaller --radius",
+                                pictures.size(), maxPages, capabilities.maxArrayLayers));
     }
     for (const PageLayout::Page& page : layout.pages) {
         StagedTexture& texture = out.textures.emplace_back();
@@ -117,7 +117,7 @@ Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictu
                                      std::span<const TextureContent> before) {
     if (options.mode == TextureMode::Bindless && !capabilities.bindless) {
         return fail(ErrorCode::Unsupported, capabilities.renderer,
-                    "the driver has no GL_ARB_bindless_texture; use array pages");
+                    "has no GL_ARB_bindless_texture; use --textures pages");
     }
     const float anisotropy = capabilities.software ? 1.0f : options.anisotropy;
     StagedTextures out;

@@ -151,7 +151,7 @@ Result<bool> TextureStore::advance(std::size_t& bytes) {
         isBegun_ = false;
         if (staged_.bindless && textures_.back()->handle() == 0 && !textures_.back()->takeHandle())
             return fail(ErrorCode::Driver, device_->capabilities().renderer,
-                        "refuses a bindless handle; use array pages");
+                        "refused a texture handle; use --textures pages");
     }
     if (refs_.empty())
         writeRefs();

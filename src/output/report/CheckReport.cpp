@@ -1,8 +1,8 @@
 #include "output/report/CheckReport.h"
 
+#include "core/NumberText.h"
 #include "output/report/Assets.h"
 #include "output/report/ReportJson.h"
-#include "output/report/Template.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,14 +24,14 @@ std::string readable(std::string_view name) {
 CheckValue rowOf(std::string_view name, const check::KindTotals& totals) {
     CheckValue cells = CheckValue::array();
     const auto add = [&cells](std::uint64_t count, bool isFault) {
-        cells.push_back({{"count", grouped(count)}, {"fault", isFault && count > 0}});
+        cells.push_back({{"count", groupedText(count)}, {"fault", isFault && count > 0}});
     };
     for (std::size_t i = 0; i < check::kVerdictCount; ++i)
         add(totals.counts[i], check::isFinding(static_cast<check::Verdict>(i)));
     add(totals.moved, true);
     return {{"name", name},
-            {"views", grouped(totals.views)},
-            {"pixels", grouped(totals.pixels)},
+            {"views", groupedText(totals.views)},
+            {"pixels", groupedText(totals.pixels)},
             {"cells", std::move(cells)}};
 }
 
@@ -39,7 +39,7 @@ std::string causesText(const CheckedView& view) {
     std::string text;
     const auto add = [&text](std::uint64_t count, const std::string& name) {
         if (count > 0)
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(count), name);
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", groupedText(count), name);
     };
     for (std::size_t i = 0; i < check::kVerdictCount; ++i)
         if (check::isFinding(static_cast<check::Verdict>(i)))
@@ -60,23 +60,23 @@ std::string verdictText(const check::Totals& totals) {
     const std::uint64_t wrong = totals.sum().findings();
     return wrong == 0
                ? "Every pixel is right"
-               : fmt::format("{} wrong pixel{} in {} of {} views", grouped(wrong), wrong == 1 ? "" : "s",
-                             grouped(totals.viewsWithFindings), grouped(totals.sum().views));
+               : fmt::format("{} wrong pixel{} in {} of {} views", groupedText(wrong), wrong == 1 ? "" : "s",
+                             groupedText(totals.viewsWithFindings), groupedText(totals.sum().views));
 }
 
 } // namespace
 
 std::string checkPage(const CheckReport& report) {
     const check::KindTotals all = report.totals.sum();
-    CheckValue values = headValues(report.head, "Check");
+    CheckValue values = headValues(report.head, {"Check", "check", "findings"});
     values["verdict"] = verdictText(report.totals);
     values["bad"] = all.findings() > 0;
-    values["views"] = grouped(all.views);
-    values["pixels"] = grouped(all.pixels);
-    values["hash"] = fmt::format("{:016x}", report.totals.pictures);
+    addFact(values, "Views", groupedText(all.views));
+    addFact(values, "Pixels", groupedText(all.pixels));
+    addFact(values, "Hash of the pictures", fmt::format("{:016x}", report.totals.pictures), true);
     values["left_out"] = report.totals.blocksLeftOut > 0
                              ? fmt::format("{} landblocks could not be loaded and were skipped.",
-                                           grouped(report.totals.blocksLeftOut))
+                                           groupedText(report.totals.blocksLeftOut))
                              : "";
     values["columns"] = CheckValue::array();
     for (const std::string_view name : check::kVerdictNames)
@@ -92,12 +92,12 @@ std::string checkPage(const CheckReport& report) {
         values["findings"].push_back(viewValues(view));
     values["more"] = report.totals.viewsWithFindings > report.findings.size()
                          ? fmt::format("{} further views with findings are not shown.",
-                                       grouped(report.totals.viewsWithFindings - report.findings.size()))
+                                       groupedText(report.totals.viewsWithFindings - report.findings.size()))
                          : "";
     values["samples"] = CheckValue::array();
     for (const CheckedView& view : report.samples)
         values["samples"].push_back(viewValues(view));
-    return fillTemplate(assets::kCheckHtml, values);
+    return pageOf(assets::kCheckHtml, values);
 }
 
 } // namespace limen::output

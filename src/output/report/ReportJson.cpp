@@ -2,6 +2,7 @@
 
 #include "output/report/Assets.h"
 #include "output/report/Escape.h"
+#include "output/report/Template.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -9,11 +10,26 @@
 
 namespace limen::output {
 
-nlohmann::ordered_json headValues(const ReportHead& head, std::string_view title) {
-    nlohmann::ordered_json facts = nlohmann::ordered_json::array();
-    const auto add = [&facts](const std::string& name, const std::string& value) {
+void addFact(nlohmann::ordered_json& values, std::string_view name, std::string_view value, bool isCode) {
+    values["facts"].push_back({{"name", name}, {"value", value}, {"code", isCode}});
+}
+
+std::string pageOf(std::string_view body, const nlohmann::ordered_json& values) {
+    return fillTemplate(std::string(assets::kHeadHtml).append(body), values);
+}
+
+nlohmann::ordered_json headValues(const ReportHead& head, const PageNames& names) {
+    nlohmann::ordered_json values{{"title", names.title},
+                                  {"page", names.page},
+                                  {"skip", names.skip},
+                                  {"world", head.world},
+                                  {"facts", nlohmann::ordered_json::array()},
+                                  {"style", assets::kStyleCss},
+                                  {"common", assets::kCommonJs},
+                                  {"command", head.command}};
+    const auto add = [&values](const std::string& name, const std::string& value) {
         if (!value.empty())
-            facts.push_back({{"name", name}, {"value", value}});
+            addFact(values, name, value);
     };
     add("World", head.world);
     for (const auto& [name, value] : head.facts)
@@ -21,12 +37,7 @@ nlohmann::ordered_json headValues(const ReportHead& head, std::string_view title
     add("Driver", head.driver);
     add("Program", head.version);
     add("Made", head.made);
-    return {{"title", title},
-            {"world", head.world},
-            {"facts", std::move(facts)},
-            {"style", assets::kStyleCss},
-            {"common", assets::kCommonJs},
-            {"command", head.command}};
+    return values;
 }
 
 nlohmann::ordered_json findingValues(const ReportFinding& finding) {
@@ -50,17 +61,6 @@ nlohmann::ordered_json shortNumber(double value) {
 
 std::string scriptJson(const nlohmann::ordered_json& value) {
     return escapeScriptJson(value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-}
-
-std::string grouped(std::uint64_t number) {
-    const std::string digits = fmt::format("{}", number);
-    std::string text;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0)
-            text += ',';
-        text += digits[i];
-    }
-    return text;
 }
 
 } // namespace limen::output

@@ -1,9 +1,9 @@
 #include "output/report/TourReport.h"
 
+#include "core/NumberText.h"
 #include "output/report/Assets.h"
 #include "output/report/GraphLayout.h"
 #include "output/report/ReportJson.h"
-#include "output/report/Template.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ PageValue graphValue(const ReportGraph& graph) {
 std::string figure(double value) {
     if (!std::isfinite(value))
         return "–";
-    return value >= 1000.0 ? grouped(static_cast<std::uint64_t>(std::llround(value)))
+    return value >= 1000.0 ? groupedText(static_cast<std::uint64_t>(std::llround(value)))
                            : fmt::format("{:.3g}", value);
 }
 
@@ -116,14 +116,14 @@ std::string verdictOf(const TourReport& report) {
 } // namespace
 
 std::string tourPage(const TourReport& report) {
-    PageValue values = headValues(report.head, "Tour");
+    PageValue values = headValues(report.head, {"Tour", "tour", "film"});
     values["verdict"] = verdictOf(report);
     values["bad"] = !report.findings.empty();
-    values["frames"] = grouped(report.framesDrawn);
-    values["recorded"] = grouped(report.numbers.size());
+    values["frames"] = groupedText(report.framesDrawn);
+    values["recorded"] = groupedText(report.numbers.size());
     values["last"] = report.numbers.empty() ? 0 : report.numbers.size() - 1;
-    values["spaces"] = grouped(report.graph.nodes.size());
-    values["openings"] = grouped(report.graph.edges.size());
+    values["spaces"] = groupedText(report.graph.nodes.size());
+    values["openings"] = groupedText(report.graph.edges.size());
     PageValue pictures = PageValue::array();
     for (std::size_t i = 0; i < report.pictures.size(); ++i) {
         PageValue picture = pictureValues(report.pictures[i]);
@@ -147,7 +147,7 @@ std::string tourPage(const TourReport& report) {
     values["data"] = scriptJson(scriptValue(report));
     values["script"] =
         std::string(assets::kPlotJs) + std::string(assets::kGraphJs) + std::string(assets::kTourJs);
-    return fillTemplate(assets::kTourHtml, values);
+    return pageOf(assets::kTourHtml, values);
 }
 
 } // namespace limen::output

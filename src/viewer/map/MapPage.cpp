@@ -204,14 +204,19 @@ void MapPage::drawSide(Ui& ui, std::span<const world::Place> places, MapChoice& 
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##search", "search places", search_.data(), search_.size());
     ui.note("search");
-    const float footer = ImGui::GetFrameHeightWithSpacing();
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float texts = ImGui::CalcTextSize("Whole map").x + ImGui::CalcTextSize("Back").x;
+    const bool fitInOneRow =
+        texts + 4.0f * style.FramePadding.x + style.ItemSpacing.x <= ImGui::GetContentRegionAvail().x;
+    const float footer = ImGui::GetFrameHeightWithSpacing() * (fitInOneRow ? 1.0f : 2.0f);
     ImGui::BeginChild("##lists", {0.0f, -footer});
     drawList(ui, "Places", places, false, choice);
     drawList(ui, "Dungeons", places, true, choice);
     ImGui::EndChild();
-    if (ui.button("Whole map", 0.0f) && map_ != nullptr)
+    if (ui.button("Whole map", fitInOneRow ? 0.0f : -1.0f) && map_ != nullptr)
         view_ = wholeMap(*map_, box_);
-    ImGui::SameLine();
+    if (fitInOneRow)
+        ImGui::SameLine();
     choice.isBack = ui.button("Back", -1.0f);
 }
 

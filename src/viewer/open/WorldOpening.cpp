@@ -42,7 +42,7 @@ unsigned openingThreads() {
 
 WorldOpening::WorldOpening(gpu::Device& device, OpenRequest request)
     : device_(device), request_(std::move(request)),
-      finding_(std::async(std::launch::async, [this] { return find(request_); })) {}
+      finding_(std::async(std::launch::async, [this] { return find(); })) {}
 
 WorldOpening::~WorldOpening() {
     cancel();
@@ -64,12 +64,18 @@ void WorldOpening::wait(double seconds) const {
         reading_.wait_for(most);
 }
 
-Result<WorldOpening::Found> WorldOpening::find(const OpenRequest& request) {
-    Result<engine::WorldSource> source = engine::openWorldSource(request.directory);
+Result<WorldOpening::Found> WorldOpening::find() {
+    const auto count = [this](std::size_t done, std::size_t all) {
+        toSearch_ = all;
+        searched_ = done;
+        return !progress_->isCancelled;
+    };
+    Result<engine::WorldSource> source =
+        engine::openWorldSource(request_.directory, engine::PlaceSearch::Find, count);
     if (!source)
         return tl::unexpected(source.error());
     auto shared = std::make_shared<const engine::WorldSource>(std::move(*source));
-    Result<engine::ViewRequest> view = request.start(*shared);
+    Result<engine::ViewRequest> view = request_.start(*shared);
     if (!view)
         return tl::unexpected(view.error());
     return Found{std::move(shared), std::move(*view)};
@@ -157,6 +163,8 @@ OpenedWorld WorldOpening::take() {
 
 LoadingFacts WorldOpening::facts() const {
     LoadingFacts facts;
+    facts.toSearch = phase_ == Phase::Files ? toSearch_.load() : 0;
+    facts.searched = std::min(searched_.load(), facts.toSearch);
     facts.blocks = progress_->blocks;
     facts.blocksRead = std::min(progress_->done.load(), facts.blocks);
     facts.uploaded = phase_ == Phase::Ready ? 1.0
@@ -164,8 +172,9 @@ LoadingFacts WorldOpening::facts() const {
                                             : 0.0;
     switch (phase_) {
     case Phase::Files:
-        facts.step =
-            request_.directory.empty() ? "writing and opening the built-in world" : "opening the files";
+        facts.step = facts.toSearch > 0           ? "searching for places"
+                     : request_.directory.empty() ? "writing and opening the built-in world"
+                                                  : "opening the files";
         break;
     case Phase::Renderer:
         facts.step = "preparing the graphics card";

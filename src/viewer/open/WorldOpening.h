@@ -59,7 +59,7 @@ private:
     };
     enum class Phase { Files, Renderer, Blocks, Upload, Ready };
 
-    [[nodiscard]] static Result<Found> find(const OpenRequest& request);
+    [[nodiscard]] Result<Found> find();
     [[nodiscard]] Result<Read> read() const;
     [[nodiscard]] Result<void> advance();
     [[nodiscard]] Result<void> beginUpload();
@@ -69,6 +69,7 @@ private:
     const OpenRequest request_;
     Phase phase_ = Phase::Files;
     std::unique_ptr<world::LoadProgress> progress_ = std::make_unique<world::LoadProgress>();
+    std::atomic<std::size_t> searched_{0}, toSearch_{0}; ///< steps of the search for places
     std::unique_ptr<engine::Session> session_;
     engine::ViewRequest view_;
     engine::FrameRequest start_;

@@ -57,12 +57,18 @@ PageChoice drawLoading(Ui& ui, const PagesFacts& facts) {
     beginPage(factsOf(Page::Loading).title, kBox);
     uiText(facts.state.opening);
     ImGui::Spacing();
-    const float read = loading.blocks > 0
-                           ? static_cast<float>(loading.blocksRead) / static_cast<float>(loading.blocks)
-                           : 0.0f;
-    ImGui::ProgressBar(0.7f * read + 0.3f * static_cast<float>(loading.uploaded), {-1.0f, 0.0f}, "");
+    const auto share = [](std::size_t done, std::size_t all) {
+        return all > 0 ? static_cast<float>(done) / static_cast<float>(all) : 0.0f;
+    };
+    const bool searches = loading.blocks == 0 && loading.toSearch > 0;
+    const float read = share(loading.blocksRead, loading.blocks);
+    ImGui::ProgressBar(searches ? share(loading.searched, loading.toSearch)
+                                : 0.7f * read + 0.3f * static_cast<float>(loading.uploaded),
+                       {-1.0f, 0.0f}, "");
     uiText(loading.step);
-    if (loading.blocks > 0)
+    if (searches)
+        uiNote(fmt::format("{} of {} towns and dungeons searched", loading.searched, loading.toSearch));
+    else if (loading.blocks > 0)
         uiNote(fmt::format("{} of {} landblocks read, {:.0f} % uploaded to the graphics card",
                            loading.blocksRead, loading.blocks, 100.0 * loading.uploaded));
     else
@@ -86,7 +92,7 @@ PageChoice drawPlaces(Ui& ui, const PagesFacts& facts, std::string& filter) {
     if (ImGui::InputTextWithHint("##filter", "search by name", text.data(), text.size()))
         filter = text.data();
     ui.note("search");
-    ImGui::BeginChild("##list", {0.0f, -uiLength(60.0f)}, true);
+    ImGui::BeginChild("##list", {0.0f, uiListHeight()}, true);
     std::size_t shown = 0;
     for (std::size_t i = 0; i < facts.places.size(); ++i) {
         const world::Place& place = facts.places[i];

@@ -13,7 +13,8 @@ namespace limen::viewer {
 
 /// Progress of a world that is loading.
 struct LoadingFacts {
-    std::string step; ///< e.g. "reading landblocks"
+    std::string step;                       ///< e.g. "reading landblocks"
+    std::size_t searched = 0, toSearch = 0; ///< steps of the search for places; 0: none
     std::size_t blocksRead = 0, blocks = 0;
     double uploaded = 0.0; ///< share of the upload, 0..1
     double seconds = 0.0;  ///< since loading began

@@ -135,7 +135,7 @@ PageChoice drawControls(Ui& ui, const PagesFacts& facts) {
     Settings settings = facts.settings;
     constexpr PageBox kBox{.width = 640.0f, .height = 640.0f};
     beginPage(factsOf(Page::Controls).title, kBox);
-    ImGui::BeginChild("##controls", {0.0f, -uiLength(60.0f)});
+    ImGui::BeginChild("##controls", {0.0f, uiListHeight()});
     uiHeading("Mouse");
     beginSettings("mouse");
     beginSetting("Look around", "Capture: a click captures the mouse, Tab releases it. Drag: hold a button "

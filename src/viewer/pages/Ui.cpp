@@ -122,11 +122,18 @@ void beginPage(std::string_view title, const PageBox& box) {
     const std::string name = std::string("##page ") + std::string(title);
     ImGui::Begin(name.c_str(), nullptr,
                  kPageFlags | (box.height > 0.0f ? 0 : ImGuiWindowFlags_AlwaysAutoResize));
+    constexpr float kLow = 260.0f; // a page with a list leaves out its title in such a height
+    if (box.height > 0.0f && most.y < uiLength(kLow))
+        return;
     ImGui::SetWindowFontScale(1.35f);
     ImGui::TextUnformatted(title.data(), title.data() + title.size());
     ImGui::SetWindowFontScale(1.0f);
     ImGui::Separator();
     ImGui::Spacing();
+}
+
+float uiListHeight() {
+    return std::max(ImGui::GetContentRegionAvail().y - uiLength(60.0f), 2.0f * ImGui::GetFrameHeight());
 }
 
 bool endPage(Ui& ui, const PageBox& box) {

@@ -62,6 +62,8 @@ struct PageBox {
 /// Begins a page: a window in the middle of the screen that fits every window size and scrolls if it must.
 /// Always call endPage afterwards. `title` as PageFacts::title.
 void beginPage(std::string_view title, const PageBox& box = {});
+/// The height of a list above the back button of a page: the rest of the page, but at least two rows.
+[[nodiscard]] float uiListHeight();
 /// Ends a page. True: the user chose Back.
 bool endPage(Ui& ui, const PageBox& box = {});
 

@@ -121,22 +121,26 @@ PhotoChoice drawPhotoPage(Ui& ui, const PhotoFacts& facts) {
     PhotoChoice choice{.settings = facts.settings};
     drawFrame(facts);
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    const float width = std::min(uiLength(240.0f), size.x * 0.42f), gap = uiLength(8.0f);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float least = ImGui::CalcTextSize("Leave photo mode").x +
+                        2.0f * (style.FramePadding.x + style.WindowPadding.x) + style.ScrollbarSize;
+    const float width = std::max(std::min(uiLength(240.0f), size.x * 0.42f), std::min(least, size.x));
+    const float gap = uiLength(8.0f);
     ImGui::SetNextWindowPos({size.x - gap, gap}, ImGuiCond_Always, {1.0f, 0.0f});
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, size.y - 2.0f * gap});
     ImGui::SetNextWindowBgAlpha(0.75f);
     ImGui::Begin("Photo mode", nullptr,
                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    drawTake(ui, facts, choice); // first: visible without scrolling in a small window
-    if (!facts.isBusy) {
-        chooseWorld(ui, facts, choice.settings);
-        choosePicture(ui, choice.settings);
-    }
+    drawTake(ui, facts, choice); // first, with its result: visible without scrolling in a small window
     if (!facts.fault.empty())
         uiNote(facts.fault);
     if (!facts.saved.empty())
         uiNote("Saved: " + facts.saved);
+    if (!facts.isBusy) {
+        chooseWorld(ui, facts, choice.settings);
+        choosePicture(ui, choice.settings);
+    }
     choice.isBack = ui.button("Leave photo mode", -1.0f);
     ImGui::End();
     return choice;
