@@ -183,7 +183,8 @@ private:
 
     /// Moves on the level. If that is shorter than the way, tries again from the height of a step, and keeps
     /// the longer of the two. Both end on the ground. A low lintel stops a body that is lifted by a whole
-    /// step, so smaller lifts follow.
+    /// step, so smaller lifts follow. These must gain half of the way that is missing: else a body that leans
+    /// on an upright obstacle, such as an open leaf, would climb its fittings by some centimetres.
     void walk(const Vec3& way) {
         const BodyState start = body_;
         slide(way, true);
@@ -191,24 +192,26 @@ private:
         const double wanted = levelLength(way) - kNoLength;
         const double top = start.standing.feet.z + shape_.capsule.height;
         for (int lift = kLifts; lift > 0; --lift) {
-            if (levelLength(body_.standing.feet - start.standing.feet) >= wanted)
+            const double missing = wanted - levelLength(body_.standing.feet - start.standing.feet);
+            if (missing <= 0.0)
                 return;
             highest_ = top;
-            stepOver(way, start, shape_.stepUp * lift / kLifts);
+            stepOver(way, start, shape_.stepUp * lift / kLifts, lift == kLifts ? kNoLength : missing / 2.0);
             if (!(highest_ > top)) // the obstacle is no lintel
                 return;
         }
     }
 
-    /// Replaces a shorter way from `start` by the way from `lift` metres above it, if that ends farther away.
-    void stepOver(const Vec3& way, const BodyState& start, double lift) {
+    /// Replaces a shorter way from `start` by the way from `lift` metres above it, if that ends farther away by
+    /// more than `gain` metres.
+    void stepOver(const Vec3& way, const BodyState& start, double lift, double gain) {
         const BodyState level = body_;
         body_ = start;
         push(kUp * lift);
         slide(way, true);
         settle(body_.standing.feet.z - start.standing.feet.z + shape_.stepDown);
         const bool isFarther = levelLength(body_.standing.feet - start.standing.feet) >
-                               levelLength(level.standing.feet - start.standing.feet) + kNoLength;
+                               levelLength(level.standing.feet - start.standing.feet) + gain;
         const bool isTooHigh = touched_.z > start.standing.feet.z + shape_.stepUp + kSkin;
         if (!body_.isOnGround || !isFarther || isTooHigh)
             body_ = level;
