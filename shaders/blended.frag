@@ -22,8 +22,7 @@ void main() {
     }
     float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
     alpha *= material.colour.a * instance.opacity;
-    // A small overlap: two programs do not compute identical bits, and the nearly opaque part hides its own surplus.
-    if (isSplit(material) && (alpha >= kSolidAlpha + 1.0 / 512.0 || alpha < kLeastAlpha)) {
+    if (isSplit(material) && (alpha >= kSolidAlpha + kSplitOverlap || alpha < kLeastAlpha)) {
         discard;
     }
     vec3 colour = lit(material.colour.rgb * texel.rgb, material.luminosity, material.diffuse, keep, painted.at, painted.normal);

@@ -1,16 +1,21 @@
 // The plain sky: pixels without a surface whose ray ended outside. Out: gradient from horizon to zenith; the sky's id.
-// FLAT: colour of the id.
+// FLAT: colour of the id. FAST: the ownership test only if GATED; no id but with IDS.
 #include "gate.glsl"
 #include "idcolour.glsl"
 
 layout(location = kVaryingDirection) in vec3 vDirection;
 layout(location = kOutputColour) out vec4 outColour;
+#if !defined(FAST) || defined(IDS)
+#define WITH_ID
 layout(location = kOutputId) out uint outId;
+#endif
 
 void main() {
+#if !defined(FAST) || defined(GATED)
     if (!keepOutside()) {
         discard;
     }
+#endif
 #ifdef FLAT
     outColour = colourOfId(kSkyId);
 #else
@@ -18,5 +23,7 @@ void main() {
     float height = sqrt(clamp(normalize(vDirection).z, 0.0, 1.0));
     outColour = vec4(mix(frame.fogColour.rgb, frame.skyZenith.rgb, height), 1.0);
 #endif
+#ifdef WITH_ID
     outId = kSkyId;
+#endif
 }

@@ -46,7 +46,7 @@ private:
                                        const world::DynamicState& dynamics);
     /// Whether the eye's distance is in an object's range.
     [[nodiscard]] bool isInRange(const world::Instance& instance) const {
-        return instance.levelRange.isEndless() || world::isInLevelRange(world_, instance, eye_);
+        return world::isInLevelRange(world_, instance, eye_);
     }
     void drawGroup(const ClassicGroup& group, std::uint32_t count);
     template <class T>

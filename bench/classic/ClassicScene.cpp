@@ -129,7 +129,7 @@ Result<void> ClassicScene::addPrograms() {
     const gpu::TextureBinding onePage = pages_.front().bindingFor(std::span(&first, 1));
     for (const frame::Program program :
          {frame::Program::Opaque, frame::Program::Terrain, frame::Program::SkyPlain}) {
-        gpu::ProgramSource source = gpu::programSource(program, {}, onePage);
+        gpu::ProgramSource source = gpu::programSource(gpu::Drawing::Exact, program, {}, onePage);
         source.label = "classic " + source.label;
         source.defines.emplace_back("EXACT_OUTLINES");
         const Result<gpu::ProgramHandle> made = device_.createProgram(source);
@@ -162,7 +162,7 @@ void ClassicScene::addGroups(const world::World& world, const world::DynamicStat
         group.standingCount = static_cast<std::uint32_t>(sorted.standing[i].size());
         for (const std::uint32_t instance : sorted.standing[i])
             standing_.push_back({world.instances[instance].bounds, instance,
-                                 !world.instances[instance].levelRange.isEndless(), packed_[instance]});
+                                 world.instances[instance].level != world::kNone, packed_[instance]});
         group.firstMoving = static_cast<std::uint32_t>(moving_.size());
         group.movingCount = static_cast<std::uint32_t>(sorted.moving[i].size());
         moving_.insert(moving_.end(), sorted.moving[i].begin(), sorted.moving[i].end());

@@ -69,7 +69,8 @@ private:
 
 std::vector<LimenRenderer> limenRenderers() {
     return {
-        {"exact", {}, {Without::Visibility, Without::Ownership}},
+        {"fast", {.drawing = gpu::Drawing::Fast}, {Without::Visibility}},
+        {"exact", {}, {Without::Ownership}},
     };
 }
 

@@ -54,6 +54,7 @@ LIMEN_CONST kUnitFirstPage = 7;
 LIMEN_CONST kVertexTexels = 4u; // texels of one record
 LIMEN_CONST kInstanceTexels = 5u;
 LIMEN_CONST kVisitTexels = 2u;
+LIMEN_CONST kLampTexels = 2u;
 
 // Fragment outputs. Blended colour has an output of its own. Blending stays enabled for its draw buffer and disabled
 // for the others, so that no stage has to switch it.
@@ -69,6 +70,14 @@ LIMEN_CONST kAttributeUv = 2;
 LIMEN_CONST kAttributePolygonSurface = 3;
 LIMEN_CONST kAttributeFacet = 4;
 LIMEN_CONST kAttributeRest = 5;
+LIMEN_CONST kAttributeRow0 = 6; // members of DrawRecord, one record a draw
+LIMEN_CONST kAttributeRow1 = 7;
+LIMEN_CONST kAttributeRow2 = 8;
+LIMEN_CONST kAttributeOffsetRest = 9;
+LIMEN_CONST kAttributeAmbient = 10;
+LIMEN_CONST kAttributeSun = 11;
+LIMEN_CONST kAttributeLook = 12;
+LIMEN_CONST kAttributeMembers = 13;
 
 LIMEN_CONST kOutside = 0u;   // the outdoor zone
 LIMEN_CONST kMaxLights = 8u; // lamps per light set
@@ -171,7 +180,11 @@ LIMEN_STRUCT(DeviceConstants) {
     uint slotCount LIMEN_ZERO;
     uint firstOccludee LIMEN_ZERO; // slots from here on are culled against the draws of those before
     uint windowOrigin
-        LIMEN_ZERO; // of a tile: its lower left corner in the whole picture, pixels; x | y << 16
+        LIMEN_ZERO;            // of a tile: its lower left corner in the whole picture, pixels; x | y << 16
+    uint firstLamp LIMEN_ZERO; // Lamp
+    uint reserved0 LIMEN_ZERO;
+    uint reserved1 LIMEN_ZERO;
+    uint reserved2 LIMEN_ZERO;
 };
 
 // The two, one behind the other, so that each has one writer.
@@ -256,6 +269,20 @@ struct TerrainCell {
     TerrainLayer base LIMEN_ZERO;
     TerrainLayer overlays[3] LIMEN_ZERO;
     TerrainLayer roads[2] LIMEN_ZERO;
+};
+
+// The layers of a landcell that exist, in order, packed for drivers that shade one triangle at a time: base, overlays,
+// roads; two a vector. First word: page of the texture, its array layer << 8, repeats << 24. Second word, 0 for no more
+// layers: page of the blend map, its array layer << 8, and the bits below.
+LIMEN_CONST kPackedPlace = 0x00FFFFFFu;
+LIMEN_CONST kPackedTurns = 24u;      // shift of the quarter turns
+LIMEN_CONST kPackedTiling = 24u;     // shift of the repeats
+LIMEN_CONST kPackedLayer = 1u << 26; // always set
+LIMEN_CONST kPackedMap = 1u << 27;   // there is a blend map
+LIMEN_CONST kPackedRoad = 1u << 28;
+LIMEN_CONST kPackedVectors = 3u;
+LIMEN_STRUCT(PackedCell) {
+    uvec4 layers[3] LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(LightSet) {
@@ -347,6 +374,26 @@ LIMEN_STRUCT(ClipSet) {
 struct Replacement {
     uint instance LIMEN_ZERO;
     uint by LIMEN_ZERO;
+};
+
+// A Light of this frame, where the CPU has placed it.
+LIMEN_STRUCT(Lamp) {
+    vec4 position LIMEN_ZERO; // xyz eye-relative, w range in metres
+    vec4 colour LIMEN_ZERO;   // rgb
+};
+
+// Everything of an instance that fast.vert reads: an instanced attribute of each draw.
+LIMEN_STRUCT(DrawRecord) {
+    vec4 row0 LIMEN_ZERO; // eye-relative from model, by rows; w: the offset, rounded to float
+    vec4 row1 LIMEN_ZERO;
+    vec4 row2 LIMEN_ZERO;
+    vec4 rest LIMEN_ZERO;    // xyz: residual of the offset; w: 1 where fog lies, else 0
+    vec4 ambient LIMEN_ZERO; // rgb: light from everywhere; w: opacity
+    vec4 sun
+        LIMEN_ZERO; // rgb: light of the sun at a surface that faces it; w: 1 if it takes the ownership test
+    uvec4 look LIMEN_ZERO; // Instance.firstMaterial, Instance.highlight, LightSet.firstLight and lightCount
+    uvec4 members
+        LIMEN_ZERO; // the only zone, or kNoVisit; Instance.firstMember, member count, Instance.idBase
 };
 
 // A sky object of this frame.

@@ -24,7 +24,11 @@ layout(std430, binding = kBindTiles) buffer TileBuffer { float tileDepths[]; };
 #else
 layout(std430, binding = kBindMaterialRefs) readonly buffer MaterialRefBuffer { uint materialRefs[]; };
 layout(std430, binding = kBindMaterials) readonly buffer MaterialBuffer { Material materials[]; };
+#if defined(FAST) && defined(PAGES_BY_INDEX)
+layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { uvec4 packedLayers[]; };
+#else
 layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { TerrainLayer terrainLayers[]; };
+#endif
 layout(std430, binding = kBindLightSets) readonly buffer LightSetBuffer { LightSet lightSets[]; };
 layout(std430, binding = kBindLights) readonly buffer LightBuffer { Light lights[]; };
 layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureRef textureRefs[]; };
@@ -126,14 +130,16 @@ vec3 blockOrigin(uint block) {
     return uintBitsToFloat(ringTexel(device.firstBlock + block).xyz);
 }
 
-#if defined(FRAGMENT_STAGE) && !defined(OWNERSHIP)
+#if !defined(COMPUTE_STAGE) && !defined(OWNERSHIP)
 Member memberAt(uint index) {
     uvec4 pair = index < frame.staticMembers ? texelFetch(memberTexels, int(index / 2u))
                                              : ringTexel(device.firstMember + (index - frame.staticMembers) / 2u);
     bool isSecond = (index < frame.staticMembers ? index : index - frame.staticMembers) % 2u == 1u;
     return isSecond ? Member(pair.z, pair.w) : Member(pair.x, pair.y);
 }
+#endif
 
+#if defined(FRAGMENT_STAGE) && !defined(OWNERSHIP)
 Visit visitAt(uint index) {
     uint at = device.firstVisit + index * kVisitTexels;
     uvec4 rest = ringTexel(at + 1u);

@@ -1,6 +1,7 @@
 // Inputs of every mesh fragment from mesh.vert, and the colour of its material.
 #include "textures.glsl"
 #include "lighting.glsl"
+#include "split.glsl"
 
 layout(location = kVaryingEyeRelative) SMOOTH in vec3 vEyeRelative;
 layout(location = kVaryingNormal) SMOOTH in vec3 vNormal;
@@ -16,13 +17,6 @@ layout(location = kVaryingOutline) flat in vec3 vOutline[3];
 #endif
 
 #include "onpolygon.glsl"
-
-// Textures with alpha of all strengths (foliage, banners) are drawn in two parts. Nearly opaque texels are drawn with
-// the solid surfaces and write depth. The others are blended back to front; nearly transparent ones are skipped.
-// Surfaces that intersect or are sorted wrongly then look right except at their seams. Only in colour-only frames:
-// these surfaces have no id and no depth at any alpha.
-const float kSolidAlpha = 0.95;
-const float kLeastAlpha = 0.05;
 
 bool isSplit(Material material) {
     return (material.flags & kMaterialSplit) != 0u && (device.flags & kFrameSplits) != 0u;

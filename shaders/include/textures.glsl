@@ -6,9 +6,6 @@
 // pages, because it executes every case of a switch.
 #include "buffers.glsl"
 
-#if defined(PAGES_BY_INDEX) && PAGE_COUNT == 0
-#undef PAGES_BY_INDEX
-#endif
 #ifndef BINDLESS
 #if PAGE_COUNT > 0
 layout(binding = kUnitFirstPage) uniform sampler2DArray pages[PAGE_COUNT];
@@ -36,6 +33,31 @@ vec4 sampleTexture(uint index, vec2 uv, vec2 dx, vec2 dy) {
     return vec4(1.0);
 #endif
 }
+
+#ifdef FAST
+// Filtered texels of the texture at a place (TextureRef) that is constant over a triangle. Fragments that are
+// differentiated together are of one triangle, so they agree on the page.
+vec4 texelsAt(uvec2 place, vec2 uv) {
+#ifdef BINDLESS
+    return texture(sampler2DArray(place), vec3(uv, 0.0));
+#elif PAGE_COUNT == 0
+    return vec4(1.0);
+#else
+    vec3 at = vec3(uv, float(place.x));
+#ifdef PAGES_BY_INDEX
+    return texture(pages[place.y], at);
+#else
+    vec2 dx = dFdx(uv);
+    vec2 dy = dFdy(uv);
+    switch (int(place.y)) {
+#define SAMPLE_FAST(i) case i: return textureGrad(pages[i], at, dx, dy);
+        EACH_PAGE(SAMPLE_FAST)
+    }
+    return vec4(1.0);
+#endif
+#endif
+}
+#endif
 
 // The texel of mip level 0 that contains `uv`, unfiltered, independent of the driver. For ids and depth of cut-outs.
 vec4 nearestTexel(uint index, vec2 uv) {

@@ -10,6 +10,17 @@ const uint kVaryingFacet = 7u;
 const uint kVaryingCorners = 8u;  // an array: three locations
 const uint kVaryingOutline = 11u; // an array: three locations
 
+const uint kVaryingTimes = 0u; // fast.vert
+const uint kVaryingPlus = 1u;
+const uint kVaryingFastUv = 2u;
+const uint kVaryingTexture = 3u;
+const uint kVaryingAlpha = 4u;
+const uint kVaryingCover = 5u;
+const uint kVaryingMembers = 6u;
+const uint kVaryingFastId = 7u;
+const uint kVaryingPicture = 8u;
+const uint kVaryingLayers = 9u; // an array: three locations
+
 const uint kVaryingVisit = 0u; // ownership.vert
 const uint kVaryingOpening = 1u;
 const uint kVaryingPlane = 2u;

@@ -267,6 +267,7 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("FILE");
     verb->add_flag("--json", options->json, "print the result as one JSON object");
     addSessionOptions(*verb, options->session);
+    addDrawing(*verb, options->session, gpu::Drawing::Exact, "exact");
     verb->footer(
         "With --msaa 4 pictures are drawn in one colour per id and compared sample by sample.\n"
         "Exit codes: 0: every pixel is correct; 1: some pixels are wrong; 2: the check failed to run.\n"

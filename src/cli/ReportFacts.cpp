@@ -74,6 +74,7 @@ output::ReportHead reportHead(const engine::Session& session, const std::string&
     head.command = command;
     head.facts = {{"Radius", fmt::format("{} landblocks", options.load.radius)},
                   {"Zones", options.load.mergeZones ? "merged" : "one a cell"},
+                  {"Drawing", options.drawing == gpu::Drawing::Fast ? "fast" : "exact"},
                   {"Samples per pixel", fmt::format("{}", std::max(1u, options.samples))},
                   {"Textures", figures.textures}};
     return head;

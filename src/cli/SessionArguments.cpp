@@ -4,6 +4,7 @@
 #include "engine/Quality.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <limits>
 
 namespace limen::cli {
@@ -82,6 +83,24 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
         .add_option("--msaa", options.samples, "set the samples per pixel (1); ids and depth always have one")
         ->type_name("1|4")
         ->check(oneOf({"0", "1", "4"}))
+        ->group("World");
+}
+
+void addDrawing(CLI::App& command, engine::SessionOptions& options, gpu::Drawing usual,
+                const std::string& usualText) {
+    options.drawing = usual;
+    command
+        .add_option_function<std::string>(
+            "--draw",
+            [&options](const std::string& text) {
+                options.drawing = text == "fast" ? gpu::Drawing::Fast : gpu::Drawing::Exact;
+            },
+            fmt::format(
+                "choose the way of drawing; exact: each pixel shows the surface that its ray meets; fast: "
+                "edges may be off by a pixel, and light is computed at corners ({})",
+                usualText))
+        ->type_name("exact|fast")
+        ->check(oneOf({"exact", "fast"}))
         ->group("World");
 }
 

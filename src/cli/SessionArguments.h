@@ -2,6 +2,8 @@
 
 #include "engine/SessionOptions.h"
 
+#include <string>
+
 namespace CLI {
 class App;
 }
@@ -10,5 +12,9 @@ namespace limen::cli {
 
 /// Adds the options for loading and drawing a world.
 void addSessionOptions(CLI::App& command, engine::SessionOptions& options);
+
+/// Adds --draw, with the way of drawing without it, as its help names it.
+void addDrawing(CLI::App& command, engine::SessionOptions& options, gpu::Drawing usual,
+                const std::string& usualText);
 
 } // namespace limen::cli

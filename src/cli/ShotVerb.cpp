@@ -25,6 +25,7 @@ namespace {
 
 struct ShotOptions {
     engine::SessionOptions session;
+    bool isDrawingGiven = false; ///< --draw
     ViewArguments view;
     OutputPaths outputs;
     std::string views;
@@ -223,6 +224,17 @@ Result<void> checkSupersampling(const ShotOptions& options, const std::vector<Li
     return {};
 }
 
+/// Ids and depth are for proofs: exact, unless the user asks otherwise.
+engine::SessionOptions sessionOptionsFor(const ShotOptions& options, const std::vector<ListedView>& views) {
+    engine::SessionOptions session = options.session;
+    const bool anyProof = std::any_of(views.begin(), views.end(), [](const ListedView& view) {
+        return !view.outputs.ids.empty() || !view.outputs.depth.empty();
+    });
+    if (anyProof && !options.isDrawingGiven)
+        session.drawing = gpu::Drawing::Exact;
+    return session;
+}
+
 Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     Result<std::vector<ListedView>> views = viewsOf(options);
     if (!views)
@@ -250,7 +262,7 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     if (options.reference)
         return runTraced(*source, options, *views, console);
     Result<engine::HeadlessSession> headless = engine::openHeadless(
-        std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
+        std::make_shared<const engine::WorldSource>(std::move(*source)), sessionOptionsFor(options, *views));
     if (!headless)
         return tl::unexpected(headless.error());
     engine::Session& session = *headless->session;
@@ -301,10 +313,12 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->check(CLI::Range(1u, engine::kMostSupersampling))
         ->group("Output");
     addSessionOptions(*verb, options->session);
+    addDrawing(*verb, options->session, gpu::Drawing::Fast, "fast; exact with --ids or --depth");
     verb->footer("Writes only the outputs that are given.\n"
                  "Examples:\n  limen shot --at hill -o hill.png\n"
                  "  limen shot --at inn.hall --yaw 90 --size 640x360 -o hall.png --json hall.json");
-    verb->callback([&console, &choice, options] {
+    verb->callback([&console, &choice, options, verb] {
+        options->isDrawingGiven = verb->count("--draw") > 0;
         choice.run = [&console, options] { return runShot(*options, console); };
     });
 }

@@ -259,6 +259,7 @@ void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
     addTurnTableOptions(*verb, *options);
     verb->add_flag("--json", options->json, "print one JSON object per frame");
     addSessionOptions(*verb, options->session);
+    addDrawing(*verb, options->session, gpu::Drawing::Fast, "fast");
     verb->footer("Examples:\n  limen tour --frames 12 --size 320x180 --report report\n"
                  "  limen tour --turn-table --at lane --size 320x180 --film lane.gif");
     verb->callback([&console, &choice, options, verb] {

@@ -264,6 +264,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--tell", options->tell, "print the state after every frame, one line each")
         ->group("Scripts");
     addSessionOptions(*verb, options->session);
+    addDrawing(*verb, options->session, gpu::Drawing::Fast, "fast");
     verb->add_option(
             "--keys", options->keys,
             "read key bindings from this JSON file, e.g. {\"use\": \"F\"}; the window's help page writes it "

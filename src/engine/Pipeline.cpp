@@ -50,7 +50,9 @@ void Pipeline::plan(const frame::FrameView& view) {
     LIMEN_ASSERT(part_ != nullptr, "show a part first");
     LIMEN_ASSERT(!state_.visible.visits.empty() && state_.visible.visits[0].space == view.view.root,
                  "the flood was from this view");
-    part_->planner.plan(view, state_.dynamics, state_.visible, state_.plan);
+    frame::FrameView planned = view;
+    planned.fewTests = renderer_.options().drawing == gpu::Drawing::Fast;
+    part_->planner.plan(planned, state_.dynamics, state_.visible, state_.plan);
     isPlanned_ = true;
 }
 

@@ -52,6 +52,7 @@ Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions
     : source_(std::move(source)), options_(options), device_(device),
       checked_(kIsDevelopment ? std::make_optional<gpu::CheckedDevice>(device) : std::nullopt),
       pipeline_(drawnOn(), {.textures = {.mode = options.textures, .anisotropy = options.anisotropy},
+                            .drawing = options.drawing,
                             .culling = options.culling}) {
     LIMEN_ASSERT(source_ != nullptr, "a session has a source");
 }

@@ -12,6 +12,7 @@ namespace limen::engine {
 struct SessionOptions {
     std::string dat; ///< directory; empty: the built-in world
     world::LoadOptions load;
+    gpu::Drawing drawing = gpu::Drawing::Exact;
     gpu::TextureMode textures = gpu::TextureMode::Auto;
     gpu::Culling culling = gpu::Culling::Hidden;
     std::uint32_t samples =

@@ -39,6 +39,9 @@ struct FrameView {
     Weather weather = Weather::Clear;
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shown where the world has a hole
     Rules rules;
+    /// Instances of the root's zone that no opening can hide are drawn without the ownership test. The picture
+    /// is the same, but for surfaces in the plane of a shut opening.
+    bool fewTests = false;
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth
     /// Keep them few: for static instances the device searches the list for every draw. Read while the frame
     /// is planned.

@@ -50,7 +50,8 @@ static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(T
 static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
               sizeof(ClipSet) == 128);
 static_assert(sizeof(Level) == 16 && sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 &&
-              sizeof(DrawRun) == 16 && sizeof(SlotGroup) == 16 && sizeof(Replacement) == 8);
+              sizeof(DrawRun) == 16 && sizeof(SlotGroup) == 16 && sizeof(Replacement) == 8 &&
+              sizeof(DrawRecord) == 128 && sizeof(Lamp) == 32 && sizeof(PackedCell) == 48);
 static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
               kTrianglesPerPiece == kCullThreads * kTrianglesPerThread);
 
@@ -77,8 +78,9 @@ static_assert(offsetof(DeviceConstants, viewport) == 0 && offsetof(DeviceConstan
               offsetof(DeviceConstants, firstSlotGroup) == 108 &&
               offsetof(DeviceConstants, firstRun) == 112 && offsetof(DeviceConstants, slotCount) == 116 &&
               offsetof(DeviceConstants, firstOccludee) == 120 &&
-              offsetof(DeviceConstants, windowOrigin) == 124 && sizeof(DeviceConstants) == 128);
+              offsetof(DeviceConstants, windowOrigin) == 124 && offsetof(DeviceConstants, firstLamp) == 128 &&
+              sizeof(DeviceConstants) == 144);
 static_assert(offsetof(FrameConstants, view) == 0 && offsetof(FrameConstants, device) == 256 &&
-              sizeof(FrameConstants) == 384);
+              sizeof(FrameConstants) == 400);
 
 } // namespace limen::frame::gpu

@@ -24,7 +24,7 @@ bool isWholeScreen(const visibility::Rect& rect) {
 
 Selection::Selection(const StaticScene& scene)
     : world_(scene.world()), clusters_(scene.clusters()), levels_(clusters_, scene.clusterBatches()),
-      testedFrame_(world_.spaces.size()), lastTest_(world_.spaces.size()),
+      exits_(world_), testedFrame_(world_.spaces.size()), lastTest_(world_.spaces.size()),
       sharedResults_(clusters_.sharedIsInOneZone.size()) {}
 
 void Selection::select(const FrameView& frame, const world::DynamicState& dynamics,
@@ -40,11 +40,13 @@ void Selection::select(const FrameView& frame, const world::DynamicState& dynami
     forward_ = frame.view.forward;
     nearPlane_ = frame.nearPlane;
     hasSeveralVisits_ = set.visits.size() > 1;
+    hasFewTests_ = frame.fewTests;
     testsEveryVisit_ = frame.rules.viewcone;
     dynamicResults_.resize(dynamics.instances.size());
     const double pixel =
         2.0 * std::max(frame.view.tanHalfX / frame.width, frame.view.tanHalfY / frame.height);
     cones_.prepare(frame.view, set, pixel);
+    exits_.prepare(set);
     gatherTests(set);
     for (const TestedSpace& tested : testedSpaces_) {
         zone_ = hasSeveralVisits_ ? world_.spaces[tested.space].zone : world::kNone;
@@ -107,8 +109,19 @@ Containment Selection::testInstance(const SpaceTest& test, const SeenSphere& sph
     const Containment inVisit = cones_.classify(test.visit, sphere);
     if (inVisit == Containment::Outside || !test.isNarrow ||
         visibility::Viewcones::classify(test.rect, sphere) != Containment::Outside)
-        return inVisit;
+        return inVisit == Containment::Partial && hasFewTests_ && test.visit == 0 &&
+                       !cones_.isCoveredInRoot(sphere)
+                   ? Containment::Inside
+                   : inVisit;
     return Containment::Outside;
+}
+
+Containment Selection::testStatic(const SpaceTest& test, std::uint32_t position, const SeenSphere& sphere) {
+    const Containment found = testInstance(test, sphere);
+    const world::InstanceIndex instance = clusters_.order[position];
+    const bool isAsked = found == Containment::Partial && hasFewTests_ && test.visit == 0 &&
+                         world_.instances[instance].kind == world::InstanceKind::Shell;
+    return isAsked && exits_.areBeyond(instance) ? Containment::Inside : found;
 }
 
 void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
@@ -144,7 +157,7 @@ void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
         const SeenSphere sphere = sphereOf(clusters_.bounds[position]);
         Containment best = Containment::Outside;
         for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i)
-            best = std::max(best, testInstance(tests_[active_[i]], sphere));
+            best = std::max(best, testStatic(tests_[active_[i]], position, sphere));
         if (best != Containment::Outside)
             draw(position, position + 1, best == Containment::Inside);
     }

@@ -2,6 +2,7 @@
 
 #include "frame/FrameView.h"
 #include "frame/LevelSelection.h"
+#include "frame/RootExits.h"
 #include "frame/StaticScene.h"
 #include "visibility/Viewcone.h"
 #include "visibility/VisibleSet.h"
@@ -79,6 +80,9 @@ private:
     [[nodiscard]] Containment testCluster(const SpaceTest& test, const visibility::SeenSphere& sphere);
     /// For a single instance: it may be Inside although it extends beyond the rectangle.
     [[nodiscard]] Containment testInstance(const SpaceTest& test, const visibility::SeenSphere& sphere);
+    /// The same for a static instance that one space lists: walls are tested by their vertices.
+    [[nodiscard]] Containment testStatic(const SpaceTest& test, std::uint32_t position,
+                                         const visibility::SeenSphere& sphere);
     void descend(const Cluster& cluster, std::size_t firstActive);
     void selectLeaf(const Cluster& leaf, std::size_t firstActive);
     /// Selects the dynamic instances, and the static ones that several spaces list.
@@ -97,11 +101,13 @@ private:
     const world::World& world_;
     const Clusters& clusters_;
     LevelSelection levels_;
+    RootExits exits_;
     visibility::Viewcones cones_;
     Vec3 eye_{0.0}, forward_{0.0};
     double nearPlane_ = 0.0;
     bool hasSeveralVisits_ = false;
     world::ZoneIndex zone_ = world::kNone; ///< SelectedRange::zone of the next ranges
+    bool hasFewTests_ = false;             ///< FrameView::fewTests
     bool testsEveryVisit_ = false;         ///< Rules::viewcone
     std::uint32_t frameNumber_ = 0;
     std::vector<SpaceTest> tests_; ///< by VisibleSet::seen

@@ -1,7 +1,6 @@
 #include "gpu/DrawCulling.h"
 
 #include "core/Assert.h"
-#include "gpu/PassSelection.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,14 +17,6 @@ constexpr std::size_t kLargestCapacity = (std::size_t{1} << 27) / sizeof(std::ui
 
 // Failed allocations before it stops retrying.
 constexpr std::uint32_t kMostFailures = 3;
-
-bool isIndexed(frame::Program program) {
-    return program != frame::Program::Ownership && program != frame::Program::SkyPlain;
-}
-
-bool isTaken(const frame::Batch& batch, const RenderOptions& options) {
-    return isIndexed(batch.program) && isDrawn(batch.program, options);
-}
 
 std::size_t indicesOf(const frame::FramePlan& plan, const frame::Batch& batch) {
     std::size_t sum = 0;
@@ -87,16 +78,11 @@ bool DrawCulling::isMade(const Result<void>& made) {
 
 void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& options,
                           const RenderTarget& target) {
+    assignSlots(plan, options, slots_);
+    slotCount_ = slots_.empty() ? 0 : slots_.back().end;
     std::size_t indices = 0;
-    slotCount_ = 0;
-    firstSlots_.clear();
-    for (const frame::Batch& batch : plan.batches) {
-        firstSlots_.push_back(slotCount_);
-        if (isTaken(batch, options)) {
-            slotCount_ += batch.draws;
-            indices += indicesOf(plan, batch);
-        }
-    }
+    for (const frame::Batch& batch : plan.batches)
+        indices += hasSlots(batch, options) ? indicesOf(plan, batch) : 0;
     drawsStaticIndices_ =
         target.options().samples > 0 || culling_ == Culling::None || indices > kLargestCapacity;
     drawsStaticIndices_ = drawsStaticIndices_ || failures_ >= kMostFailures || !isMade(reserve(indices));
@@ -104,8 +90,8 @@ void DrawCulling::prepare(const frame::FramePlan& plan, const RenderOptions& opt
     usesOcclusion_ = culling_ == Culling::Hidden && options.occlusion && !drawsStaticIndices_ &&
                      !target.isTile() && isMade(tiles_.prepare(target.width(), target.height()));
     if (usesOcclusion_) {
-        if (plan.firstOccludee < firstSlots_.size())
-            firstOccludee_ = firstSlots_[plan.firstOccludee];
+        if (plan.firstOccludee < slots_.size())
+            firstOccludee_ = slots_[plan.firstOccludee].first;
     }
     place_ = (place_ + 1) % kFramesInFlight; // earlier frames still read theirs
 }
@@ -124,7 +110,7 @@ void DrawCulling::writeRuns(const frame::FramePlan& plan, const RenderOptions& o
     auto kept = static_cast<std::uint32_t>(place_ * capacity_);
     std::uint32_t slot = 0, number = 0;
     for (const frame::Batch& batch : plan.batches) {
-        for (std::uint32_t i = batch.first; isTaken(batch, options) && i < batch.first + batch.count; ++i) {
+        for (std::uint32_t i = batch.first; hasSlots(batch, options) && i < batch.first + batch.count; ++i) {
             const frame::PieceRun& run = plan.runs[i];
             const std::uint32_t toPiece = (run.firstPiece - slot) & ~layout::kGated;
             const layout::RunOffsets offsets{toPiece | (run.gated ? layout::kGated : 0),

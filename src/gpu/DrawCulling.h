@@ -1,6 +1,7 @@
 #pragma once
 
 #include "frame/FramePlan.h"
+#include "gpu/BatchSlots.h"
 #include "gpu/DepthTiles.h"
 #include "gpu/FrameRing.h"
 #include "gpu/RenderOptions.h"
@@ -35,8 +36,7 @@ public:
     /// Writes the runs of all slots into the frame's ring memory. Same plan and options as in `prepare`.
     void writeRuns(const frame::FramePlan& plan, const RenderOptions& options,
                    std::span<frame::gpu::SlotGroup> groups, std::span<frame::gpu::DrawRun> runs) const;
-    /// Slot of a batch's first draw command; the others are consecutive.
-    [[nodiscard]] std::uint32_t firstSlot(std::size_t batch) const { return firstSlots_[batch]; }
+    [[nodiscard]] const BatchSlots& slotsOf(std::size_t batch) const { return slots_[batch]; }
     /// Whether draws use the static indices; otherwise only the kept ones.
     [[nodiscard]] bool drawsStaticIndices() const { return drawsStaticIndices_; }
     /// Whether batches from FramePlan::firstOccludee on are culled by cullOccluded.
@@ -75,8 +75,8 @@ private:
     bool usesOcclusion_ = false;
     std::uint32_t slotCount_ = 0, firstOccludee_ = 0;
     std::uint32_t failures_ = 0;
-    std::optional<Error> failure_;          ///< the latest
-    std::vector<std::uint32_t> firstSlots_; ///< by batch
+    std::optional<Error> failure_;  ///< the latest
+    std::vector<BatchSlots> slots_; ///< by batch
 };
 
 } // namespace limen::gpu

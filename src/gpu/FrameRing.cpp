@@ -7,8 +7,18 @@ namespace limen::gpu {
 
 namespace layout = frame::gpu;
 
-FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment)
-    : plan_(plan), slots_(slots) {
+void writeInstances(const frame::FramePlan& plan, std::span<layout::Instance> out) {
+    const std::size_t dynamic = plan.dynamicInstances.size();
+    if (dynamic > 0)
+        plan.dynamicRecords.write(plan.dynamicRecords.instances, plan.dynamicInstances, out.first(dynamic));
+    for (const frame::DynamicChange& change : plan.dynamicChanges)
+        change.applyTo(out[change.instance]);
+    std::copy(plan.records.begin(), plan.records.end(), out.begin() + static_cast<std::ptrdiff_t>(dynamic));
+}
+
+FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment,
+                     const RingUse& use)
+    : plan_(plan), slots_(slots), use_(use) {
     for (std::size_t i = 0; i < kArrays; ++i) {
         const std::size_t size = sizeOf(static_cast<Array>(i));
         const std::size_t offset = (size_ + alignment - 1) / alignment * alignment;
@@ -43,6 +53,8 @@ std::span<const std::byte> FrameRing::bytes(Array array) const {
     case kSlotGroups:
     case kRuns:
     case kCommands:
+    case kRecords:
+    case kLamps:
     case kArrays:
         break;
     }
@@ -50,15 +62,23 @@ std::span<const std::byte> FrameRing::bytes(Array array) const {
 }
 
 std::size_t FrameRing::sizeOf(Array array) const {
+    const bool records = use_.drawRecords;
     switch (array) {
     case kConstants:
         return sizeof(layout::FrameConstants);
     case kInstances:
-        return (plan_.dynamicInstances.size() + plan_.records.size()) * sizeof(layout::Instance);
+        return records ? 0
+                       : (plan_.dynamicInstances.size() + plan_.records.size()) * sizeof(layout::Instance);
     case kSlotGroups:
-        return (slots_ + layout::kSlotsPerGroup - 1) / layout::kSlotsPerGroup * sizeof(layout::SlotGroup);
+        return records ? 0
+                       : (slots_ + layout::kSlotsPerGroup - 1) / layout::kSlotsPerGroup *
+                             sizeof(layout::SlotGroup);
     case kRuns:
-        return plan_.runs.size() * sizeof(layout::DrawRun);
+        return records ? 0 : plan_.runs.size() * sizeof(layout::DrawRun);
+    case kRecords:
+        return records ? slots_ * sizeof(layout::DrawRecord) : 0;
+    case kLamps:
+        return use_.lamps * sizeof(layout::Lamp);
     case kCommands:
         return slots_ * sizeof(layout::DrawCommand);
     default:
@@ -79,6 +99,18 @@ std::span<layout::DrawRun> FrameRing::runs(std::span<std::byte> memory) const {
     return in<layout::DrawRun>(memory, kRuns);
 }
 
+std::span<layout::DrawCommand> FrameRing::commands(std::span<std::byte> memory) const {
+    return in<layout::DrawCommand>(memory, kCommands);
+}
+
+std::span<layout::DrawRecord> FrameRing::records(std::span<std::byte> memory) const {
+    return in<layout::DrawRecord>(memory, kRecords);
+}
+
+std::span<layout::Lamp> FrameRing::lamps(std::span<std::byte> memory) const {
+    return in<layout::Lamp>(memory, kLamps);
+}
+
 std::uint32_t FrameRing::texel(Array array) const {
     return static_cast<std::uint32_t>(places_[array].offset / kBytesPerTexel);
 }
@@ -93,6 +125,7 @@ void FrameRing::locate(layout::DeviceConstants& constants) const {
     constants.firstPiece = texel(kPieces);
     constants.firstSlotGroup = texel(kSlotGroups);
     constants.firstRun = texel(kRuns);
+    constants.firstLamp = texel(kLamps);
 }
 
 void FrameRing::bind(StorageBindings& storage) const {
@@ -111,17 +144,8 @@ void FrameRing::write(const layout::DeviceConstants& constants, std::span<std::b
         if (!array.empty())
             std::memcpy(memory.data() + places_[i].offset, array.data(), array.size());
     }
-    writeInstances(in<layout::Instance>(memory, kInstances));
-}
-
-void FrameRing::writeInstances(std::span<layout::Instance> out) const {
-    const std::size_t dynamic = plan_.dynamicInstances.size();
-    if (dynamic > 0)
-        plan_.dynamicRecords.write(plan_.dynamicRecords.instances, plan_.dynamicInstances,
-                                   out.first(dynamic));
-    for (const frame::DynamicChange& change : plan_.dynamicChanges)
-        change.applyTo(out[change.instance]);
-    std::copy(plan_.records.begin(), plan_.records.end(), out.begin() + static_cast<std::ptrdiff_t>(dynamic));
+    if (!use_.drawRecords)
+        writeInstances(plan_, in<layout::Instance>(memory, kInstances));
 }
 
 } // namespace limen::gpu

@@ -2,7 +2,9 @@
 
 #include "core/Assert.h"
 #include "frame/IdColour.h"
+#include "gpu/BatchDraws.h"
 #include "gpu/DrawCulling.h"
+#include "gpu/FastDraws.h"
 #include "gpu/FrameRing.h"
 #include "gpu/PassSelection.h"
 #include "gpu/scene/ResidentScene.h"
@@ -73,14 +75,9 @@ glm::vec4 clearColour(const frame::FramePlan& plan, const RenderOptions& options
     return glm::vec4(r, g, b, 255) / 255.0f;
 }
 
-ProgramVariant variantOf(const frame::Batch& batch, const RenderOptions& options, bool multisampled) {
-    return {batch.gated, batch.program == frame::Program::Blended ? options.wantLayers : isFlat(options),
-            multisampled};
-}
-
 std::vector<std::string> definesOf(const RendererOptions& options) {
     std::vector<std::string> defines = options.shaderDefines;
-    if (options.exactOutlines)
+    if (options.drawing == Drawing::Exact && options.exactOutlines)
         defines.emplace_back("EXACT_OUTLINES");
     return defines;
 }
@@ -88,7 +85,10 @@ std::vector<std::string> definesOf(const RendererOptions& options) {
 } // namespace
 
 Renderer::Renderer(Device& device, RendererOptions options)
-    : device_(&device), options_(options), spare_(std::make_unique<SpareBuffers>(device)) {}
+    : device_(&device), options_(options), fast_(std::make_unique<FastDraws>()),
+      spare_(std::make_unique<SpareBuffers>(device)) {
+    options_.textures.nearestLevel = isFast();
+}
 
 Renderer::~Renderer() = default;
 
@@ -102,8 +102,7 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
 }
 
 Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
-    Result<StagedScene> staged =
-        stageScene(std::move(upload), options_.textures, device_->capabilities(), state());
+    Result<StagedScene> staged = stageScene(std::move(upload), options_, device_->capabilities(), state());
     if (!staged)
         return tl::unexpected(staged.error());
     if (Result<void> begun = begin(std::move(*staged)); !begun)
@@ -141,15 +140,16 @@ std::shared_ptr<Programs> Renderer::programsFor(const SceneBindings& bindings) {
                               [&](const auto& programs) { return programs->bindings() == bindings; });
     if (found == programs_.end()) {
         programs_.resize(std::min(programs_.size(), kMost - 1));
-        found = programs_.insert(programs_.end(),
-                                 std::make_shared<Programs>(*device_, bindings, definesOf(options_)));
+        found = programs_.insert(programs_.end(), std::make_shared<Programs>(*device_, options_.drawing,
+                                                                             bindings, definesOf(options_)));
     }
     std::rotate(programs_.begin(), found, found + 1);
     return programs_.front();
 }
 
-Result<void> Renderer::begin(StagedScene staged) {
-    drop();
+Result<void> Renderer::createCulling() {
+    if (isFast())
+        return {};
     if (culling_ == nullptr) {
         Result<DrawCulling> culling = DrawCulling::create(
             *device_, definesOf(options_), options_.exactOutlines ? options_.culling : Culling::None);
@@ -158,6 +158,13 @@ Result<void> Renderer::begin(StagedScene staged) {
         culling_ = std::make_unique<DrawCulling>(std::move(*culling));
     }
     culling_->tryAgain();
+    return {};
+}
+
+Result<void> Renderer::begin(StagedScene staged) {
+    drop();
+    if (Result<void> created = createCulling(); !created)
+        return created;
     std::shared_ptr<Programs> programs = programsFor(staged.bindings);
     coming_ = std::make_unique<ResidentScene>(*device_, std::move(staged), std::move(programs), scene_.get(),
                                               *spare_);
@@ -200,21 +207,72 @@ void Renderer::releaseSome() {
         retired_.erase(retired_.begin());
 }
 
-Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
-                                       bool multisampled) {
+FrameKind Renderer::kindOf(const frame::FramePlan& plan, const RenderTarget& target,
+                           const RenderOptions& options) const {
+    return {options_.drawing, options_.exactOutlines, target.options().samples > 0, plan.visits.size() > 1,
+            options};
+}
+
+Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const FrameKind& frame) {
     Result<void> prepared;
-    for (const frame::Batch& batch : plan.batches)
-        if (prepared && isDrawn(batch.program, options))
-            prepared = scene_->programs().prepare(batch.program, variantOf(batch, options, multisampled));
+    for (const frame::Batch& batch : plan.batches) {
+        if (!isDrawn(batch.program, frame.options))
+            continue;
+        for (const bool lamps : {false, true}) // whichever the draws need later
+            for (const BatchDraw& draw : drawsOf(batch, {0, 0, 0, lamps, lamps}, frame))
+                if (prepared)
+                    prepared = scene_->programs().prepare(batch.program, draw.variant);
+    }
     return prepared;
 }
 
-void Renderer::bindAll(const FrameRing& ring, const DrawCulling& culling) {
+BufferHandle Renderer::indicesFor(const RenderOptions& options) const {
+    if (!isFast())
+        return culling_->drawsStaticIndices() ? scene_->indices() : culling_->keptIndices();
+    // The polygon of an id is a value of each triangle's own vertices.
+    return options.wantIds || options.wantLayers ? scene_->indices() : scene_->sharedIndices();
+}
+
+std::uint32_t Renderer::prepareDraws(const frame::FramePlan& plan, const RenderOptions& options,
+                                     const RenderTarget& target) {
+    if (isFast()) {
+        fast_->prepare(plan, options, scene_->tables());
+        return fast_->slotCount();
+    }
+    culling_->prepare(plan, options, target);
+    return culling_->slotCount();
+}
+
+const BatchSlots& Renderer::slotsOf(std::size_t batch) const {
+    return isFast() ? fast_->slotsOf(batch) : culling_->slotsOf(batch);
+}
+
+void Renderer::writeRing(const frame::FramePlan& plan, const FrameRing& ring, const RenderOptions& options,
+                         const RenderTarget& target, std::span<std::byte> memory) {
+    layout::DeviceConstants constants;
+    target.place(plan.constants, constants);
+    ring.locate(constants);
+    if (!isFast())
+        culling_->describe(constants);
+    constants.flags |= splitsSurfaces(options) ? layout::kFrameSplits : 0;
+    ring.write(constants, memory);
+    if (isFast())
+        fast_->write(plan, scene_->tables(), ring, memory);
+    else
+        culling_->writeRuns(plan, options, ring.slotGroups(memory), ring.runs(memory));
+}
+
+void Renderer::bindAll(const FrameRing& ring) {
     StorageBindings storage = scene_->storage();
     ring.bind(storage);
-    culling.bind(storage);
+    if (isFast())
+        storage[layout::kBindKeptIndices] = storage[layout::kBindTiles] = storage[layout::kBindIndices];
+    else
+        culling_->bind(storage);
     device_->bindStorage(storage);
     device_->bindTextures(scene_->boundTextures());
+    if (isFast())
+        device_->bindRecords(ring.records());
 }
 
 void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
@@ -228,28 +286,26 @@ void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& op
     device_->clear(TargetImage::Depth, 0.0f);
 }
 
-void Renderer::drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options,
-                         bool multisampled) {
-    DrawState state;
-    state.program = scene_->programs().get(batch.program, variantOf(batch, options, multisampled));
-    // Exact outlines cull back faces per triangle (cull.comp); a portal polygon counts from both sides.
-    state.cullBackFaces = !options_.exactOutlines && batch.program != frame::Program::Ownership;
-    state.writeDepth = batch.program != frame::Program::Blended;
-    device_->setState(state);
-    switch (batch.program) {
-    case frame::Program::Ownership:
-        device_->drawVertices(batch.first, batch.count);
-        return;
-    case frame::Program::SkyPlain:
-        device_->drawVertices(0, 3 * batch.draws);
-        return;
-    default:
-        device_->drawIndirect(commandsOffset, batch.draws);
+void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std::size_t commands,
+                         const FrameKind& frame) {
+    DrawState state = stateOf(batch.program, frame);
+    for (const BatchDraw& draw : drawsOf(batch, slots, frame)) {
+        state.program = scene_->programs().get(batch.program, draw.variant);
+        device_->setState(state);
+        switch (batch.program) {
+        case frame::Program::Ownership:
+            device_->drawVertices(batch.first, batch.count);
+            break;
+        case frame::Program::SkyPlain:
+            device_->drawVertices(0, 3 * batch.draws);
+            break;
+        default:
+            device_->drawIndirect(commands + draw.firstSlot * sizeof(layout::DrawCommand), draw.count);
+        }
     }
 }
 
-void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffset,
-                          const RenderOptions& options, bool multisampled) {
+void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commands, const FrameKind& frame) {
     std::optional<Pass> current;
     for (const frame::Stage& stage : plan.stages) {
         const Stopwatch watch;
@@ -257,16 +313,15 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commandsOffs
         device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
-            if (stage.firstBatch + i == plan.firstOccludee && culling_->usesOcclusion())
+            if (!isFast() && stage.firstBatch + i == plan.firstOccludee && culling_->usesOcclusion())
                 culling_->cullOccluded();
-            if (!isDrawn(batch.program, options))
+            if (!isDrawn(batch.program, frame.options))
                 continue;
-            if (const Pass pass = passOf(batch.program, options); pass != current) {
+            if (const Pass pass = passOf(batch.program, frame.options); pass != current) {
                 device_->beginPass(pass);
                 current = pass;
             }
-            const std::size_t slot = culling_->firstSlot(stage.firstBatch + i);
-            drawBatch(batch, commandsOffset + slot * sizeof(layout::DrawCommand), options, multisampled);
+            drawBatch(batch, slotsOf(stage.firstBatch + i), commands, frame);
             ++report.batches;
             report.draws += batch.draws;
         }
@@ -280,37 +335,31 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     LIMEN_ASSERT(scene_ != nullptr, "a scene is uploaded before a frame is drawn");
     LIMEN_ASSERT(options.wantIds || options.shading != Shading::IdsOnly, "a frame writes colour or ids");
     LIMEN_ASSERT(!options.wantLayers || target.options().layers, "the target has a layers image");
-    const bool multisampled = target.options().samples > 0;
-    LIMEN_ASSERT(!multisampled || (!options.wantIds && !options.wantLayers),
+    const FrameKind kind = kindOf(plan, target, options);
+    LIMEN_ASSERT(!kind.multisampled || (!options.wantIds && !options.wantLayers),
                  "a multisampled frame has no ids and no layers");
     assertSound(plan, scene_->pieces());
-    if (Result<void> prepared = preparePrograms(plan, options, multisampled); !prepared)
+    if (Result<void> prepared = preparePrograms(plan, kind); !prepared)
         return prepared;
     const Stopwatch watch;
     report_ = {};
     for (std::size_t i = 0; i < report_.stages.size(); ++i)
         report_.stages[i].kind = static_cast<frame::StageKind>(i);
-    DrawCulling& culling = *culling_;
-    culling.prepare(plan, options, target);
-    const FrameRing ring(plan, culling.slotCount(), device_->capabilities().storageAlignment);
+    const std::uint32_t slots = prepareDraws(plan, options, target);
+    const FrameRing ring(plan, slots, device_->capabilities().storageAlignment,
+                         isFast() ? RingUse{true, scene_->tables().lights.size()} : RingUse{});
     if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved)
         return reserved;
     // In every frame, because another renderer may have drawn since.
-    device_->setGeometry(scene_->vertices(),
-                         culling.drawsStaticIndices() ? scene_->indices() : culling.keptIndices());
+    device_->setGeometry(scene_->vertices(), indicesFor(options));
     const std::span<std::byte> memory = device_->beginFrame(target.handle(), target.viewport());
-    layout::DeviceConstants constants;
-    target.place(plan.constants, constants);
-    ring.locate(constants);
-    culling.describe(constants);
-    constants.flags |= splitsSurfaces(options) ? layout::kFrameSplits : 0;
-    ring.write(constants, memory);
-    culling.writeRuns(plan, options, ring.slotGroups(memory), ring.runs(memory));
-    bindAll(ring, culling);
+    writeRing(plan, ring, options, target, memory);
+    bindAll(ring);
     clearTarget(plan, options);
-    culling.cull();
-    drawStages(plan, ring.commands(), options, multisampled);
-    if (multisampled)
+    if (!isFast())
+        culling_->cull();
+    drawStages(plan, ring.commands(), kind);
+    if (kind.multisampled)
         device_->resolve();
     Result<void> ended = device_->endFrame();
     report_.cpuMs = watch.milliseconds();

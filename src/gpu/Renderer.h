@@ -14,6 +14,9 @@
 namespace limen::gpu {
 
 class DrawCulling;
+class FastDraws;
+struct BatchSlots;
+struct FrameKind;
 class FrameRing;
 class ResidentScene;
 class SpareBuffers;
@@ -73,19 +76,31 @@ private:
     [[nodiscard]] std::shared_ptr<Programs> programsFor(const SceneBindings& bindings);
     [[nodiscard]] Result<void> uploadOnce(frame::SceneUpload upload);
     void releaseSome();
-    [[nodiscard]] Result<void> preparePrograms(const frame::FramePlan& plan, const RenderOptions& options,
-                                               bool multisampled);
-    void bindAll(const FrameRing& ring, const DrawCulling& culling);
+    [[nodiscard]] FrameKind kindOf(const frame::FramePlan& plan, const RenderTarget& target,
+                                   const RenderOptions& options) const;
+    [[nodiscard]] Result<void> preparePrograms(const frame::FramePlan& plan, const FrameKind& frame);
+    [[nodiscard]] BufferHandle indicesFor(const RenderOptions& options) const;
+    [[nodiscard]] bool isFast() const { return options_.drawing == Drawing::Fast; }
+    [[nodiscard]] Result<void> createCulling();
+    /// Assigns the slots of the plan's draws; returns their number.
+    [[nodiscard]] std::uint32_t prepareDraws(const frame::FramePlan& plan, const RenderOptions& options,
+                                             const RenderTarget& target);
+    [[nodiscard]] const BatchSlots& slotsOf(std::size_t batch) const;
+    /// Writes a frame's arrays into its ring memory.
+    void writeRing(const frame::FramePlan& plan, const FrameRing& ring, const RenderOptions& options,
+                   const RenderTarget& target, std::span<std::byte> memory);
+    void bindAll(const FrameRing& ring);
     void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
-    void drawStages(const frame::FramePlan& plan, std::size_t commandsOffset, const RenderOptions& options,
-                    bool multisampled);
-    void drawBatch(const frame::Batch& batch, std::size_t commandsOffset, const RenderOptions& options,
-                   bool multisampled); ///< `commandsOffset`: of the batch
+    /// `commands`: offset of the frame's draw commands in the ring memory.
+    void drawStages(const frame::FramePlan& plan, std::size_t commands, const FrameKind& frame);
+    void drawBatch(const frame::Batch& batch, const BatchSlots& slots, std::size_t commands,
+                   const FrameKind& frame);
 
     Device* device_;
     RendererOptions options_;
     std::vector<std::shared_ptr<Programs>> programs_; ///< of the last scenes, most recently used first
-    std::unique_ptr<DrawCulling> culling_;            ///< created with the first scene
+    std::unique_ptr<DrawCulling> culling_;            ///< of Drawing::Exact; created with the first scene
+    std::unique_ptr<FastDraws> fast_;                 ///< of Drawing::Fast
     std::unique_ptr<SpareBuffers> spare_;             ///< destroyed after the scenes
     std::unique_ptr<ResidentScene> scene_, coming_;
     std::vector<Retired> retired_; ///< oldest first

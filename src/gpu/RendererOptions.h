@@ -16,13 +16,22 @@ enum class Culling : std::uint8_t {
     Hidden  ///< also triangles behind walls and ground, by depth tiles
 };
 
+/// Way of drawing a plan. Both draw the same surfaces in the same order of transparency.
+enum class Drawing : std::uint8_t {
+    Exact, ///< for proofs: the ray through a pixel's centre decides, and light is computed for every fragment
+    /// For people: hardware outlines, depth tests before shading, light at the vertices. Outlines differ from
+    /// the exact ones by less than a pixel.
+    Fast
+};
+
 /// Options of a renderer.
 struct RendererOptions {
     TextureStoreOptions textures{};
+    Drawing drawing = Drawing::Exact;
     /// The ray through a pixel's centre decides its colour, not corners snapped by the rasteriser
-    /// (shaders/include/outline.glsl).
+    /// (shaders/include/outline.glsl). Without effect on Drawing::Fast.
     bool exactOutlines = true;
-    Culling culling = Culling::Hidden;
+    Culling culling = Culling::Hidden; ///< without effect on Drawing::Fast
     /// Macros for every shader. Tests omit parts of the method with them (shaders/include/gate.glsl).
     std::vector<std::string> shaderDefines{};
 };

@@ -107,6 +107,9 @@ public:
         const Containment found = classifyInVisit(cones_[visit], sphere);
         return found == Containment::Inside && isCovered(visit, sphere) ? Containment::Partial : found;
     }
+    /// Whether a later visit may own a pixel of a sphere that is in the root's zone: one whose region it touches
+    /// and whose entry plane it is not in front of.
+    [[nodiscard]] bool isCoveredInRoot(const SeenSphere& sphere) const { return isCovered(0, sphere); }
     /// Lists the spheres of a batch that are not outside the root's region, nor outside a rectangle if there
     /// is one: the same result as `classify` gives for each. Tests them together, in floats, without
     /// unpredictable branches. Writes `first + i` for each sphere i found, in order; `out` has room for a

@@ -54,7 +54,8 @@ std::map<std::string, Names> allowedRooms() {
 /// Headers of frame that gpu may include: the plan as plain data. They include nothing else of frame.
 bool isPlainFrameHeader(const std::string& include) {
     static const Names kPlain{"frame/FramePlan.h", "frame/GpuLayout.h", "frame/SceneUpload.h",
-                              "frame/IdColour.h"};
+                              "frame/IdColour.h",
+                              "frame/DrawRecords.h"}; // made from the plan and the upload alone
     return kPlain.contains(include);
 }
 

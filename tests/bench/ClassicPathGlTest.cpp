@@ -58,15 +58,16 @@ TEST_F(ClassicPathGlTest, showsTheSameAsTheRenderer) {
 
 /// Gives every second instance a level of detail that ends 20 m from the eye, every third one that begins
 /// there.
-void addLevels(std::vector<world::Instance>& instances) {
+void addLevels(world::World& world, std::vector<world::Instance>& instances) {
     const std::uint16_t change = world::levelRangeLimit(20.0);
     for (std::size_t i = 0; i < instances.size(); ++i) {
-        if (instances[i].kind == world::InstanceKind::Terrain)
+        if (instances[i].kind == world::InstanceKind::Terrain || (i % 2 != 0 && i % 3 != 0))
             continue;
-        if (i % 2 == 0)
-            instances[i].levelRange.upTo = change;
-        else if (i % 3 == 0)
-            instances[i].levelRange.beyond = change;
+        world::Level level;
+        (i % 2 == 0 ? level.range.upTo : level.range.from) = change;
+        level.origin = world::localRangeSteps(Vec3(instances[i].origin));
+        instances[i].level = static_cast<std::uint32_t>(world.levels.size());
+        world.levels.push_back(level);
     }
 }
 
@@ -77,8 +78,8 @@ TEST_F(ClassicPathGlTest, showsTheSameLevelsOfDetail) {
         ASSERT_TRUE(whole) << whole.error().message();
         const FieldView view = fieldViews(field, 1, 320, 180).front();
         const std::size_t all = boxesIn(field, expectSame(**whole, view));
-        addLevels(field.world.instances);
-        addLevels(field.dynamics.instances);
+        addLevels(field.world, field.world.instances);
+        addLevels(field.world, field.dynamics.instances);
         const auto ways = TwoWays::create(*device_, field, 320, 180);
         ASSERT_TRUE(ways) << ways.error().message();
         const std::size_t inRange = boxesIn(field, expectSame(**ways, view));

@@ -9,8 +9,10 @@ namespace limen::bench::test {
 
 /// The moving hut, with a post of two levels of detail beside it, as frames of a benchmark take it.
 struct ComparedWorld {
-    /// The distance in metres at which the post changes to its second level.
+    /// The distance in the post's record at which it changes to its second level, and the eye's distance
+    /// there, metres.
     static constexpr float kChange = 8.0f;
+    static constexpr double kChangesAt = kChange + world::kDegradeDistance;
     static constexpr Vec3 kPost{6, 14, 2}; ///< block-local
 
     limen::test::MovingHut hut;

@@ -87,9 +87,9 @@ TEST(MeshParts, shareEqualCorners) {
 TEST(PlainScene, drawsTheTrianglesOfTheEyesLevels) {
     ComparedWorld source;
     std::set<std::size_t> counts;
-    // South of all objects, and as wide as views get.
-    for (const double away : {5.0, ComparedWorld::kChange + 2.0}) {
-        const world::Place from{"", source.hut.at(ComparedWorld::kPost - Vec3(0, away, 0)), 0.0, 0.0, 0};
+    // Before all objects, and as wide as views get.
+    for (const auto& [north, yaw] : {std::pair{-5.0, 0.0}, {ComparedWorld::kChangesAt + 2.0, 180.0}}) {
+        const world::Place from{"", source.hut.at(ComparedWorld::kPost + Vec3(0, north, 0)), yaw, 0.0, 0};
         FramePlace place = source.placeAt(from, 64, 36);
         place.view.view.tanHalfX = place.view.view.tanHalfY = 1e4;
         const PlainScene scene = plainSceneOf(place);

@@ -4,34 +4,42 @@
 namespace limen::gpu::test {
 namespace {
 
-class ShadersGlTest : public GlTest {};
+class ShadersGlTest : public GlTest {
+protected:
+    /// The variants that `Programs::create` does not build.
+    static void buildVariants(Programs& programs) {
+        for (std::size_t program = 0; program <= static_cast<std::size_t>(frame::Program::Blended);
+             ++program) {
+            for (unsigned bits = 0; bits < 32; ++bits) {
+                const ProgramVariant variant{.gated = (bits & 1) != 0,
+                                             .flat = (bits & 2) != 0,
+                                             .multisampled = (bits & 4) != 0,
+                                             .lamps = (bits & 8) != 0,
+                                             .ids = (bits & 16) != 0};
+                const Result<void> made = programs.prepare(static_cast<frame::Program>(program), variant);
+                EXPECT_TRUE(made) << made.error().message();
+            }
+        }
+    }
+};
 
 TEST_F(ShadersGlTest, everyVariantBuilds) {
     std::vector<TextureBinding> bindings{
         {false, 0}, {false, 1}, {false, device_->capabilities().textureUnits - frame::gpu::kUnitFirstPage}};
     if (device_->capabilities().bindless)
         bindings.push_back({true, 0, {}});
-    for (const TextureBinding& binding : bindings) {
-        Result<Programs> programs = Programs::create(*device_, {binding, binding});
-        ASSERT_TRUE(programs) << programs.error().message();
-        for (std::size_t program = 0; program <= static_cast<std::size_t>(frame::Program::Blended);
-             ++program) {
-            for (const bool gated : {false, true}) {
-                for (const ProgramVariant& variant :
-                     {ProgramVariant{.gated = gated, .flat = true},
-                      ProgramVariant{.gated = gated, .multisampled = true},
-                      ProgramVariant{.gated = gated, .flat = true, .multisampled = true}}) {
-                    const Result<void> made =
-                        programs->prepare(static_cast<frame::Program>(program), variant);
-                    EXPECT_TRUE(made) << made.error().message();
-                }
-            }
+    for (const Drawing drawing : {Drawing::Exact, Drawing::Fast}) {
+        for (const TextureBinding& binding : bindings) {
+            Result<Programs> programs = Programs::create(*device_, drawing, {binding, binding});
+            ASSERT_TRUE(programs) << programs.error().message();
+            buildVariants(*programs);
         }
     }
 }
 
 TEST_F(ShadersGlTest, failureNamesFileLineAndDriver) {
-    ProgramSource source = programSource(frame::Program::Opaque, {.gated = true}, {false, 1, {0}});
+    ProgramSource source =
+        programSource(Drawing::Exact, frame::Program::Opaque, {.gated = true}, {false, 1, {0}});
     source.defines.emplace_back("walkChain"); // breaks include/gate.glsl at the function's definition
     const Result<ProgramHandle> program = device_->createProgram(source);
     ASSERT_FALSE(program);

@@ -108,8 +108,8 @@ class StagedScenes : public ::testing::TestWithParam<bool> {
 protected:
     void upload(const Scene& scene) { ASSERT_TRUE(renderer_.upload(scene.builder.upload)); }
     void begin(const Scene& scene) {
-        Result<StagedScene> staged = stageScene(scene.builder.upload, renderer_.options().textures,
-                                                device_.capabilities(), renderer_.state());
+        Result<StagedScene> staged =
+            stageScene(scene.builder.upload, renderer_.options(), device_.capabilities(), renderer_.state());
         ASSERT_TRUE(staged);
         ASSERT_TRUE(renderer_.begin(std::move(*staged)));
     }
@@ -312,8 +312,8 @@ TEST_P(StagedScenes, unusedSpareBuffersAreDestroyed) {
 TEST_P(StagedScenes, sceneStagedBesideAnotherIsRefusedWithoutItsTextures) {
     const Scene first({2, 4}, 3), second({6, 8, 10}, 3), third({2, 4}, 5);
     upload(first);
-    Result<StagedScene> staged = stageScene(third.builder.upload, renderer_.options().textures,
-                                            device_.capabilities(), renderer_.state());
+    Result<StagedScene> staged =
+        stageScene(third.builder.upload, renderer_.options(), device_.capabilities(), renderer_.state());
     ASSERT_TRUE(staged);
     upload(second);
     draw(second);

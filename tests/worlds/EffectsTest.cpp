@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 #include <set>
+#include <tuple>
 
 // All effects of the built-in world load and are played.
 namespace limen::worlds::test {
@@ -51,6 +52,12 @@ TEST(Effects, nameRecordsThatAreThere) {
     EXPECT_FALSE(world().clothingTables.empty());
 }
 
+struct Before {
+    bool operator()(const Vec3& a, const Vec3& b) const {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    }
+};
+
 TEST(Effects, areAllPlayed) {
     std::set<dat::ParticleType> types;
     for (const world::ParticleStyle& style : loaded().particleStyles)
@@ -59,14 +66,24 @@ TEST(Effects, areAllPlayed) {
     EXPECT_EQ(loaded().idleObjects.size(), 2u) << "the whirligig and the vane";
     motion::DynamicStateBuilder dynamicsBuilder(loaded());
     world::DynamicState dynamics;
+    std::set<Vec3, Before> eyes; // particles are drawn near the eye alone
+    for (const world::ParticleSource& source : loaded().particleSources)
+        if (source.villager == world::kNone)
+            eyes.insert(source.idle == world::kNone ? source.at.origin
+                                                    : loaded().idleObjects[source.idle].origin);
+    for (const world::RoutePoint& point : loaded().routePoints)
+        eyes.insert(point.position);
     std::set<std::uint64_t> objects; // visible at any time
     for (double seconds = 10.0; seconds < 24.0; seconds += 0.21) {
         motion::DynamicStateInput input;
         input.seconds = seconds;
         input.weather = world::SkyHour{1, 0.5}; // snow
-        dynamicsBuilder.build(input, dynamics);
-        for (const world::Instance& instance : dynamics.instances)
-            objects.insert(instance.object);
+        for (const Vec3& eye : eyes) {
+            input.eye = eye;
+            dynamicsBuilder.build(input, dynamics);
+            for (const world::Instance& instance : dynamics.instances)
+                objects.insert(instance.object);
+        }
     }
     for (const world::ParticleStyle& style : loaded().particleStyles)
         EXPECT_TRUE(objects.contains(loaded().movingParts[style.part].object))

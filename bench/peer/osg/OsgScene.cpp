@@ -9,7 +9,7 @@
 #include <osg/AlphaFunc>
 #include <osg/BlendFunc>
 #include <osg/Geometry>
-#include <osg/LOD>
+#include <osg/Group>
 #include <osg/Material>
 #include <osg/MatrixTransform>
 #include <osg/NodeVisitor>
@@ -55,9 +55,7 @@ public:
     explicit TriangleCounter(const osg::Vec3& eye)
         : osg::NodeVisitor(osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN), eye_(eye) {}
 
-    float getDistanceToViewPoint(const osg::Vec3& position, bool) const override {
-        return (position - eye_).length();
-    }
+    osg::Vec3 getEyePoint() const override { return eye_; }
     void apply(osg::Geometry& geometry) override {
         for (unsigned i = 0; i < geometry.getNumPrimitiveSets(); ++i)
             indices += geometry.getPrimitiveSet(i)->getNumIndices();
@@ -68,18 +66,25 @@ private:
     osg::Vec3 eye_;
 };
 
-osg::ref_ptr<osg::LOD> inRange(const world::LevelRange& range, const osg::Matrix& placement,
-                               const osg::ref_ptr<osg::Node>& node) {
-    osg::ref_ptr<osg::LOD> lod = new osg::LOD;
-    lod->setCenterMode(osg::LOD::USER_DEFINED_CENTER);
-    lod->setCenter(placement.getTrans());
-    lod->setRadius(1.0f);
-    const float steps = world::kRangeSteps;
-    const float upTo = range.upTo == world::LevelRange::kEndless ? std::numeric_limits<float>::max()
-                                                                 : static_cast<float>(range.upTo) / steps;
-    lod->addChild(node, static_cast<float>(range.beyond) / steps, upTo);
-    return lod;
-}
+/// An instance that is drawn at some distances only.
+class LevelNode final : public osg::Group {
+public:
+    LevelNode(const world::World& world, const world::Instance& instance, const Vec3& origin)
+        : world_(world), instance_(instance), origin_(origin) {}
+
+    void traverse(osg::NodeVisitor& visitor) override {
+        const osg::Vec3 eye = visitor.getEyePoint();
+        const Vec3 at = origin_ + Vec3(eye.x(), eye.y(), eye.z());
+        if (visitor.getTraversalMode() != osg::NodeVisitor::TRAVERSE_ACTIVE_CHILDREN ||
+            world::isInLevelRange(world_, instance_, world::rangeStepsOf(at)))
+            osg::Group::traverse(visitor);
+    }
+
+private:
+    const world::World& world_;
+    const world::Instance instance_;
+    const Vec3 origin_;
+};
 
 } // namespace
 
@@ -146,9 +151,11 @@ osg::ref_ptr<osg::Node> OsgScene::nodeOf(const world::Instance& instance) {
     const osg::ref_ptr<osg::MatrixTransform> node = new osg::MatrixTransform(placement);
     node->setDataVariance(osg::Object::STATIC);
     node->addChild(geodeOf(instance));
-    if (instance.levelRange.isEndless())
+    if (instance.level == world::kNone)
         return node;
-    return inRange(instance.levelRange, placement, node);
+    const osg::ref_ptr<osg::Node> level = new LevelNode(world_, instance, origin_);
+    level->asGroup()->addChild(node);
+    return level;
 }
 
 osg::ref_ptr<osg::Group> OsgScene::graphOf(const std::vector<world::Instance>& instances) {

@@ -10,7 +10,7 @@
 namespace limen::bench {
 
 /// Builds a scene graph from a loaded world: a transform for each instance, in groups of 24 m squares that
-/// are culled as a whole; a LOD node where an instance has a range of distances; a geometry for each mesh and
+/// are culled as a whole; a node that is passed at some distances only where an instance has levels of detail; a geometry for each mesh and
 /// surface, which instances share. Terrain has its base texture alone. The world must outlive the builder.
 class OsgScene {
 public:

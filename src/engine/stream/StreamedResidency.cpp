@@ -107,7 +107,7 @@ Result<StreamedResidency::Coming> StreamedResidency::read(const Session& session
         return tl::unexpected(part.error());
     frame::SceneUpload scene = frame::buildScene((*part)->part->scene);
     Result<gpu::StagedScene> staged =
-        gpu::stageScene(std::move(scene), options.textures, session.capabilities(), before);
+        gpu::stageScene(std::move(scene), options, session.capabilities(), before);
     if (!staged)
         return tl::unexpected(staged.error());
     return Coming{std::move(*part), std::make_unique<gpu::StagedScene>(std::move(*staged)), {}};

@@ -86,6 +86,7 @@ struct TextureShape {
     std::uint32_t width = 1, height = 1, layers = 1, levels = 1;
     bool clamp = false;
     float anisotropy = 1.0f;
+    bool nearestLevel = false; ///< one mip level a sample, not a mean of two
     friend bool operator==(const TextureShape&, const TextureShape&) = default;
 };
 
@@ -190,6 +191,9 @@ public:
     /// Binds the target's ownership and depth images and the ring memory to their units, and `textures` from
     /// kUnitVertices on.
     virtual void bindTextures(std::span<const TextureHandle> textures) = 0;
+    /// Makes frame::gpu::DrawRecord at `offset` of the ring memory an input of this frame's vertices, by the
+    /// base instance of their draw command.
+    virtual void bindRecords(std::size_t offset) = 0;
     /// Runs a compute program in a grid of work groups. It may read all images drawn so far. Later draws see
     /// its output as commands and indices, later programs as storage.
     virtual void compute(ProgramHandle program, const WorkGroups& groups) = 0;

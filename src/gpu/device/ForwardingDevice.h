@@ -69,6 +69,7 @@ public:
     }
     void bindStorage(std::span<const StorageRange> ranges) override { device_.bindStorage(ranges); }
     void bindTextures(std::span<const TextureHandle> textures) override { device_.bindTextures(textures); }
+    void bindRecords(std::size_t offset) override { device_.bindRecords(offset); }
     void compute(ProgramHandle program, const WorkGroups& groups) override {
         device_.compute(program, groups);
     }

@@ -157,6 +157,14 @@ void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
          names.data());
 }
 
+void GlDevice::bindRecords(std::size_t offset) {
+    call(glVertexArrayVertexBuffer, recordedArray_.id(), kRecordSlot, ring_.id(),
+         static_cast<GLintptr>(ringSlot_ * ringSlotSize_ + offset),
+         static_cast<GLsizei>(sizeof(frame::gpu::DrawRecord)));
+    call(glBindVertexArray, recordedArray_.id());
+    bindsRecorded_ = true;
+}
+
 void GlDevice::compute(ProgramHandle program, const WorkGroups& groups) {
     setState({.program = program});
     call(glDispatchCompute, GLuint{groups.columns}, GLuint{groups.rows}, 1u);
@@ -233,6 +241,8 @@ Result<void> GlDevice::endFrame() {
         call(glDepthMask, GLboolean{GL_TRUE});
     if (state_.disableCulling())
         call(glDisable, GLenum{GL_CULL_FACE});
+    if (std::exchange(bindsRecorded_, false))
+        call(glBindVertexArray, vertexArray_.id());
     fences_[ringSlot_] = call(glFenceSync, GLenum{GL_SYNC_GPU_COMMANDS_COMPLETE}, GLbitfield{0});
     frameTarget_ = nullptr;
     lastFrameCalls_ = frameCalls_;

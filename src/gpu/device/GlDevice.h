@@ -50,6 +50,7 @@ public:
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
     void bindTextures(std::span<const TextureHandle> textures) override;
+    void bindRecords(std::size_t offset) override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
     void beginStage(frame::StageKind stage) override { timers_.begin(stage); }
@@ -87,7 +88,12 @@ private:
         }
     };
 
+    // Vertex buffers of the vertex arrays.
+    static constexpr GLuint kArenaSlot = 0, kRecordSlot = 1;
+
     explicit GlDevice(Capabilities capabilities);
+    static void describeVertices(GLuint vertexArray);
+    static void describeRecords(GLuint vertexArray);
 
     // All GL calls of a frame are made here, to be counted.
     template <class Function, class... Arguments>
@@ -107,6 +113,8 @@ private:
     std::vector<Program> programs_;
     std::vector<std::unique_ptr<Target>> targets_;
     VertexArray vertexArray_;
+    VertexArray recordedArray_; ///< the same vertices, and draw records
+    bool bindsRecorded_ = false;
     /// the current arena
     std::array<BufferHandle, 2> geometry_{BufferHandle::Invalid, BufferHandle::Invalid};
     StateTracker state_;

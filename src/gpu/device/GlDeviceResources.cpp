@@ -14,8 +14,6 @@ namespace {
 
 namespace layout = frame::gpu;
 
-constexpr GLuint kArenaSlot = 0; // the vertex array reads one buffer
-
 // Puts an object into the first free entry of a table and yields its index.
 template <class Object, class IsFree>
 std::uint32_t place(std::vector<Object>& table, Object object, IsFree isFree) {
@@ -33,27 +31,22 @@ std::uint32_t placeNamed(std::vector<Object>& table, Object object) {
     return place(table, std::move(object), [](const Object& other) { return other.empty(); });
 }
 
-// The vertex format of the one arena (layout::Vertex).
-void describeVertices(GLuint vertexArray) {
-    using layout::Vertex;
-    const auto floats = [&](GLuint location, GLint count, GLenum type, GLboolean normalised,
-                            std::size_t offset) {
-        glEnableVertexArrayAttrib(vertexArray, location);
-        glVertexArrayAttribFormat(vertexArray, location, count, type, normalised,
-                                  static_cast<GLuint>(offset));
-        glVertexArrayAttribBinding(vertexArray, location, kArenaSlot);
-    };
-    const auto integer = [&](GLuint location, std::size_t offset) {
-        glEnableVertexArrayAttrib(vertexArray, location);
-        glVertexArrayAttribIFormat(vertexArray, location, 1, GL_UNSIGNED_INT, static_cast<GLuint>(offset));
-        glVertexArrayAttribBinding(vertexArray, location, kArenaSlot);
-    };
-    floats(layout::kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
-    floats(layout::kAttributeNormal, 4, GL_INT_2_10_10_10_REV, GL_TRUE, offsetof(Vertex, normal));
-    floats(layout::kAttributeUv, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, uv));
-    integer(layout::kAttributePolygonSurface, offsetof(Vertex, polygonSurface));
-    floats(layout::kAttributeFacet, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, facet));
-    floats(layout::kAttributeRest, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, rest));
+struct AttributeSlot {
+    GLuint vertexArray;
+    GLuint slot;
+};
+
+void describeFloats(AttributeSlot to, GLuint location, GLint count, GLenum type, GLboolean normalised,
+                    std::size_t offset) {
+    glEnableVertexArrayAttrib(to.vertexArray, location);
+    glVertexArrayAttribFormat(to.vertexArray, location, count, type, normalised, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(to.vertexArray, location, to.slot);
+}
+
+void describeIntegers(AttributeSlot to, GLuint location, GLint count, std::size_t offset) {
+    glEnableVertexArrayAttrib(to.vertexArray, location);
+    glVertexArrayAttribIFormat(to.vertexArray, location, count, GL_UNSIGNED_INT, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(to.vertexArray, location, to.slot);
 }
 
 // The attachment that each fragment output of a pass writes; GL_NONE: none.
@@ -84,10 +77,44 @@ Result<void> makeFramebuffer(Framebuffer& out, const char* label, std::span<cons
 
 } // namespace
 
+// The vertex format of the one arena (layout::Vertex).
+void GlDevice::describeVertices(GLuint vertexArray) {
+    using layout::Vertex;
+    const AttributeSlot to{vertexArray, kArenaSlot};
+    describeFloats(to, layout::kAttributePosition, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, position));
+    describeFloats(to, layout::kAttributeNormal, 4, GL_INT_2_10_10_10_REV, GL_TRUE, offsetof(Vertex, normal));
+    describeFloats(to, layout::kAttributeUv, 2, GL_FLOAT, GL_FALSE, offsetof(Vertex, uv));
+    describeIntegers(to, layout::kAttributePolygonSurface, 1, offsetof(Vertex, polygonSurface));
+    describeFloats(to, layout::kAttributeFacet, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, facet));
+    describeFloats(to, layout::kAttributeRest, 3, GL_FLOAT, GL_FALSE, offsetof(Vertex, rest));
+}
+
+// The format of draw records (layout::DrawRecord), one for each draw.
+void GlDevice::describeRecords(GLuint vertexArray) {
+    using layout::DrawRecord;
+    const AttributeSlot to{vertexArray, kRecordSlot};
+    const auto floats = [&](GLuint location, std::size_t offset) {
+        describeFloats(to, location, 4, GL_FLOAT, GL_FALSE, offset);
+    };
+    floats(layout::kAttributeRow0, offsetof(DrawRecord, row0));
+    floats(layout::kAttributeRow1, offsetof(DrawRecord, row1));
+    floats(layout::kAttributeRow2, offsetof(DrawRecord, row2));
+    floats(layout::kAttributeOffsetRest, offsetof(DrawRecord, rest));
+    floats(layout::kAttributeAmbient, offsetof(DrawRecord, ambient));
+    floats(layout::kAttributeSun, offsetof(DrawRecord, sun));
+    describeIntegers(to, layout::kAttributeLook, 4, offsetof(DrawRecord, look));
+    describeIntegers(to, layout::kAttributeMembers, 4, offsetof(DrawRecord, members));
+    constexpr GLuint kEachInstance = 1;
+    glVertexArrayBindingDivisor(vertexArray, kRecordSlot, kEachInstance);
+}
+
 GlDevice::GlDevice(Capabilities capabilities)
     : capabilities_(std::move(capabilities)), driver_(driverString()),
-      vertexArray_(VertexArray::create("mesh vertices")) {
+      vertexArray_(VertexArray::create("mesh vertices")),
+      recordedArray_(VertexArray::create("mesh vertices, draw records")) {
     describeVertices(vertexArray_.id());
+    describeVertices(recordedArray_.id());
+    describeRecords(recordedArray_.id());
     restoreState();
 }
 
@@ -148,7 +175,7 @@ Result<TextureHandle> GlDevice::createTexture(std::string_view label, const Text
     }
     const float anisotropy = std::min(shape.anisotropy, capabilities_.maxAnisotropy);
     return Texture::createArray(label, shape.width, shape.height, shape.layers, shape.levels, shape.clamp,
-                                anisotropy)
+                                anisotropy, shape.nearestLevel)
         .map([&](Texture texture) {
             return static_cast<TextureHandle>(placeNamed(textures_, std::move(texture)));
         });
@@ -339,9 +366,11 @@ void GlDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
     if (geometry_ == std::array{vertices, indices})
         return;
     geometry_ = {vertices, indices};
-    glVertexArrayVertexBuffer(vertexArray_.id(), kArenaSlot,
-                              buffers_[static_cast<std::size_t>(vertices)].id(), 0, sizeof(layout::Vertex));
-    glVertexArrayElementBuffer(vertexArray_.id(), buffers_[static_cast<std::size_t>(indices)].id());
+    for (const VertexArray* array : {&vertexArray_, &recordedArray_}) {
+        glVertexArrayVertexBuffer(array->id(), kArenaSlot, buffers_[static_cast<std::size_t>(vertices)].id(),
+                                  0, sizeof(layout::Vertex));
+        glVertexArrayElementBuffer(array->id(), buffers_[static_cast<std::size_t>(indices)].id());
+    }
     glBindVertexArray(vertexArray_.id());
 }
 

@@ -173,8 +173,8 @@ Texture Texture::createSampledImage(std::string_view name, GLenum format, std::u
 }
 
 Result<Texture> Texture::createArray(std::string_view name, std::uint32_t width, std::uint32_t height,
-                                     std::uint32_t layers, std::uint32_t levels, bool clamp,
-                                     float anisotropy) {
+                                     std::uint32_t layers, std::uint32_t levels, bool clamp, float anisotropy,
+                                     bool nearestLevel) {
     GLuint id = 0;
     glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &id);
     label(GL_TEXTURE, id, name);
@@ -183,7 +183,8 @@ Result<Texture> Texture::createArray(std::string_view name, std::uint32_t width,
     const GLint wrap = clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
     glTextureParameteri(id, GL_TEXTURE_WRAP_S, wrap);
     glTextureParameteri(id, GL_TEXTURE_WRAP_T, wrap);
-    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTextureParameteri(id, GL_TEXTURE_MIN_FILTER,
+                        nearestLevel ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
     glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     if (anisotropy > 1.0f)
         glTextureParameterf(id, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy);

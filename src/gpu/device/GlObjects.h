@@ -103,7 +103,8 @@ public:
     /// RGBA8 array with `levels` mip levels, trilinear. Errors: Driver, if out of memory.
     [[nodiscard]] static Result<Texture> createArray(std::string_view label, std::uint32_t width,
                                                      std::uint32_t height, std::uint32_t layers,
-                                                     std::uint32_t levels, bool clamp, float anisotropy);
+                                                     std::uint32_t levels, bool clamp, float anisotropy,
+                                                     bool nearestLevel);
 
     /// View of a buffer as texels of four words. The buffer must outlive it; `offset` must have the driver's
     /// alignment.

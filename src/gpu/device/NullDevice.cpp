@@ -168,6 +168,11 @@ void NullDevice::bindTextures(std::span<const TextureHandle> textures) {
     record(CommandKind::BindTextures, textures.size(), 0, 1);
 }
 
+void NullDevice::bindRecords(std::size_t offset) {
+    bindsRecords_ = true;
+    record(CommandKind::BindRecords, offset, 0, 2);
+}
+
 void NullDevice::compute(ProgramHandle program, const WorkGroups& groups) {
     LIMEN_ASSERT(std::max(groups.columns, groups.rows) <= kMostGroups, "within the limit of every driver");
     const std::uint32_t changes = state_.apply({.program = program}).count();
@@ -211,6 +216,7 @@ void NullDevice::resolve() {
 Result<void> NullDevice::endFrame() {
     // plus the fence
     frameCalls_ += std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.disableCulling()} + 1;
+    frameCalls_ += std::exchange(bindsRecords_, false) ? 1 : 0;
     lastFrameCalls_ = frameCalls_;
     return {};
 }

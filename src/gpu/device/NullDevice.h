@@ -13,6 +13,7 @@ public:
     enum class CommandKind : std::uint8_t {
         BindStorage,  ///< a: number of ranges
         BindTextures, ///< a: number of textures
+        BindRecords,  ///< a: byte offset in the ring
         Compute,      ///< a: program handle, b: number of groups
         Clear,        ///< a: TargetImage
         BeginStage,   ///< a: StageKind
@@ -80,6 +81,7 @@ public:
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
     void bindTextures(std::span<const TextureHandle> textures) override;
+    void bindRecords(std::size_t offset) override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
     void beginStage(frame::StageKind stage) override;
@@ -111,6 +113,7 @@ private:
     std::vector<Command> commands_;
     std::vector<StorageRange> storage_;
     StateTracker state_;
+    bool bindsRecords_ = false; ///< this frame
     std::uint32_t frameCalls_ = 0, lastFrameCalls_ = 0;
 };
 

@@ -23,7 +23,7 @@ std::string textureDefines(const TextureBinding& binding) {
     std::string text = fmt::format("#define PAGE_COUNT {}\n#define EACH_PAGE(x)", binding.pageCount);
     for (const std::uint32_t page : binding.pages)
         text += fmt::format(" x({})", page);
-    return text + (binding.byIndex ? "\n#define PAGES_BY_INDEX 1\n" : "\n");
+    return text + (binding.byIndex && binding.pageCount > 0 ? "\n#define PAGES_BY_INDEX 1\n" : "\n");
 }
 
 const char* stageDefine(std::string_view name) {

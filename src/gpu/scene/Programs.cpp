@@ -7,19 +7,26 @@
 namespace limen::gpu {
 namespace {
 
-bool hasGatedVariant(frame::Program program) {
+bool hasGatedVariant(Drawing drawing, frame::Program program) {
     switch (program) {
     case frame::Program::Opaque:
     case frame::Program::CutOut:
     case frame::Program::Terrain:
     case frame::Program::Blended:
         return true;
-    case frame::Program::Ownership:
     case frame::Program::SkyPlain:
     case frame::Program::SkyObjects:
+        return drawing == Drawing::Fast; // the exact ones always test
+    case frame::Program::Ownership:
         return false;
     }
     return false;
+}
+
+bool hasLampVariant(Drawing drawing, frame::Program program) {
+    return drawing == Drawing::Fast &&
+           (program == frame::Program::Opaque || program == frame::Program::CutOut ||
+            program == frame::Program::Blended);
 }
 
 struct Shaders {
@@ -28,22 +35,25 @@ struct Shaders {
     const char* fragment;
 };
 
-Shaders shadersOf(frame::Program program) {
+Shaders shadersOf(Drawing drawing, frame::Program program) {
+    const bool fast = drawing == Drawing::Fast;
+    const char* const mesh = fast ? "fast.vert" : "mesh.vert";
     switch (program) {
     case frame::Program::Ownership:
         return {"ownership", "ownership.vert", "ownership.frag"};
     case frame::Program::Opaque:
-        return {"opaque", "mesh.vert", "opaque.frag"};
+        return {"opaque", mesh, fast ? "fastmesh.frag" : "opaque.frag"};
     case frame::Program::CutOut:
-        return {"cutout", "mesh.vert", "cutout.frag"};
+        return {"cutout", mesh, fast ? "fastmesh.frag" : "cutout.frag"};
     case frame::Program::Terrain:
-        return {"terrain", "mesh.vert", "terrain.frag"};
+        return {"terrain", mesh, fast ? "fastterrain.frag" : "terrain.frag"};
     case frame::Program::SkyPlain:
         return {"sky plain", "skyplain.vert", "skyplain.frag"};
     case frame::Program::SkyObjects:
-        return {"sky objects", "skyobjects.vert", "skyobjects.frag"};
+        return {"sky objects", fast ? "fastsky.vert" : "skyobjects.vert",
+                fast ? "fastsky.frag" : "skyobjects.frag"};
     case frame::Program::Blended:
-        return {"blended", "mesh.vert", "blended.frag"};
+        return {"blended", mesh, fast ? "fastblended.frag" : "blended.frag"};
     }
     return {"", "", ""};
 }
@@ -54,8 +64,10 @@ bool hasFlatVariant(frame::Program program) {
 
 } // namespace
 
-ProgramSource programSource(frame::Program program, ProgramVariant variant, const TextureBinding& textures) {
-    const Shaders shaders = shadersOf(program);
+ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVariant variant,
+                            const TextureBinding& textures) {
+    const bool fast = drawing == Drawing::Fast;
+    const Shaders shaders = shadersOf(drawing, program);
     ProgramSource source{shaders.name, shaders.vertex, shaders.fragment, {}, textures};
     const auto vary = [&source](const char* name, const char* define) {
         source.label += std::string(" ") + name;
@@ -63,28 +75,41 @@ ProgramSource programSource(frame::Program program, ProgramVariant variant, cons
     };
     if (program == frame::Program::Blended && variant.flat) {
         source.label = "layers";
-        source.fragmentShader = "layers.frag";
+        source.fragmentShader = fast ? "fastlayers.frag" : "layers.frag";
     } else if (hasFlatVariant(program) && variant.flat) {
         vary("flat", "FLAT");
     }
-    if (hasGatedVariant(program) && variant.gated)
+    if (hasGatedVariant(drawing, program) && variant.gated)
         vary("gated", "GATED");
+    if (hasLampVariant(drawing, program) && variant.lamps)
+        vary("lamps", "LAMPS");
     if (variant.multisampled)
         vary("multisampled", "MULTISAMPLED");
+    if (fast && (variant.ids || variant.flat) && program != frame::Program::Ownership &&
+        program != frame::Program::SkyObjects)
+        vary("ids", "IDS");
+    if (fast)
+        source.defines.emplace_back("FAST");
     if (program == frame::Program::Terrain)
         source.defines.emplace_back("TERRAIN");
+    if (fast && program == frame::Program::CutOut)
+        source.defines.emplace_back("CUTOUT");
+    if (fast && program == frame::Program::Blended)
+        source.defines.emplace_back("BLENDED");
     return source;
 }
 
-Programs::Programs(Device& device, SceneBindings textures, std::span<const std::string> defines)
-    : device_(&device), textures_(std::move(textures)), defines_(defines.begin(), defines.end()) {
+Programs::Programs(Device& device, Drawing drawing, SceneBindings textures,
+                   std::span<const std::string> defines)
+    : device_(&device), drawing_(drawing), textures_(std::move(textures)),
+      defines_(defines.begin(), defines.end()) {
     for (auto& variants : handles_)
         variants.fill(ProgramHandle::Invalid);
 }
 
-Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
+Result<Programs> Programs::create(Device& device, Drawing drawing, const SceneBindings& textures,
                                   std::span<const std::string> defines) {
-    Programs programs(device, textures, defines);
+    Programs programs(device, drawing, textures, defines);
     for (bool isBuilt = false; !isBuilt;) {
         std::size_t bytes = 1;
         const Result<bool> next = programs.buildNext(bytes);
@@ -98,7 +123,7 @@ Result<Programs> Programs::create(Device& device, const SceneBindings& textures,
 Result<bool> Programs::buildNext(std::size_t& bytes) {
     for (; built_ < 2 * kPrograms; ++built_) {
         const auto program = static_cast<frame::Program>(built_ / 2);
-        const ProgramVariant variant{.gated = built_ % 2 == 1};
+        const ProgramVariant variant{.gated = built_ % 2 == 1, .ids = drawing_ == Drawing::Exact};
         if (has(program, variant))
             continue;
         if (bytes == 0)
@@ -114,10 +139,12 @@ bool Programs::has(frame::Program program, ProgramVariant variant) const {
     return handles_[static_cast<std::size_t>(program)][indexOf(program, variant)] != ProgramHandle::Invalid;
 }
 
-std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) {
-    const std::size_t gated = variant.gated && hasGatedVariant(program) ? 1 : 0;
+std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) const {
+    const std::size_t gated = variant.gated && hasGatedVariant(drawing_, program) ? 1 : 0;
     const std::size_t flat = variant.flat && hasFlatVariant(program) ? 2 : 0;
-    return gated + flat + (variant.multisampled ? 4 : 0);
+    const std::size_t lamps = hasLampVariant(drawing_, program) && variant.lamps ? 16 : 0;
+    const std::size_t ids = drawing_ == Drawing::Fast && variant.ids ? 8 : 0;
+    return gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps;
 }
 
 Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
@@ -125,7 +152,7 @@ Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
     if (handle != ProgramHandle::Invalid)
         return {};
     const TextureBinding& sampled = program == frame::Program::Terrain ? textures_.terrain : textures_.meshes;
-    ProgramSource source = programSource(program, variant, sampled);
+    ProgramSource source = programSource(drawing_, program, variant, sampled);
     source.defines.insert(source.defines.end(), defines_.begin(), defines_.end());
     Result<ProgramHandle> made = device_->createProgram(source);
     if (!made)
@@ -135,11 +162,13 @@ Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
 }
 
 Programs::Programs(Programs&& other) noexcept
-    : device_(std::exchange(other.device_, nullptr)), textures_(std::move(other.textures_)),
-      defines_(std::move(other.defines_)), handles_(other.handles_), built_(other.built_) {}
+    : device_(std::exchange(other.device_, nullptr)), drawing_(other.drawing_),
+      textures_(std::move(other.textures_)), defines_(std::move(other.defines_)), handles_(other.handles_),
+      built_(other.built_) {}
 
 Programs& Programs::operator=(Programs&& other) noexcept {
     std::swap(device_, other.device_);
+    std::swap(drawing_, other.drawing_);
     std::swap(textures_, other.textures_);
     std::swap(defines_, other.defines_);
     std::swap(handles_, other.handles_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/RendererOptions.h"
 #include "gpu/device/Device.h"
 
 #include <array>
@@ -11,10 +12,12 @@ struct ProgramVariant {
     bool gated = false;        ///< with the ownership test; without effect on ownership and sky programs
     bool flat = false;         ///< coloured by id (RenderOptions::shading); for Blended: counts layers
     bool multisampled = false; ///< for multisampled targets
+    bool lamps = false;        ///< with lamps; without effect on Drawing::Exact, whose programs all have them
+    bool ids = true;           ///< with ids; without effect on Drawing::Exact, whose programs all have them
 };
 
 /// Sources and macros of a batch's program.
-[[nodiscard]] ProgramSource programSource(frame::Program program, ProgramVariant variant,
+[[nodiscard]] ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVariant variant,
                                           const TextureBinding& textures);
 
 /// Texture bindings of a scene's programs.
@@ -28,10 +31,11 @@ class Programs {
 public:
     /// Builds the programs of lit frames. `defines` go to every shader, including later ones. Errors: Driver,
     /// with the log of the first that fails.
-    [[nodiscard]] static Result<Programs> create(Device& device, const SceneBindings& textures,
+    [[nodiscard]] static Result<Programs> create(Device& device, Drawing drawing,
+                                                 const SceneBindings& textures,
                                                  std::span<const std::string> defines = {});
     /// With no program built.
-    Programs(Device& device, SceneBindings textures, std::span<const std::string> defines);
+    Programs(Device& device, Drawing drawing, SceneBindings textures, std::span<const std::string> defines);
     Programs(Programs&& other) noexcept;
     Programs& operator=(Programs&& other) noexcept;
     ~Programs();
@@ -47,11 +51,12 @@ public:
 
 private:
     static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
-    static constexpr std::size_t kVariants = 8;
+    static constexpr std::size_t kVariants = 32;
     [[nodiscard]] bool has(frame::Program program, ProgramVariant variant) const;
-    [[nodiscard]] static std::size_t indexOf(frame::Program program, ProgramVariant variant);
+    [[nodiscard]] std::size_t indexOf(frame::Program program, ProgramVariant variant) const;
 
     Device* device_ = nullptr;
+    Drawing drawing_ = Drawing::Exact;
     SceneBindings textures_;
     std::vector<std::string> defines_;
     std::array<std::array<ProgramHandle, kVariants>, kPrograms> handles_{};

@@ -1,5 +1,7 @@
 #include "gpu/scene/ResidentScene.h"
 
+#include "gpu/scene/PackedTerrain.h"
+
 #include <algorithm>
 #include <array>
 
@@ -7,6 +9,8 @@ namespace limen::gpu {
 namespace {
 
 namespace layout = frame::gpu;
+
+constexpr const char* kSharedIndices = "shared indices";
 
 template <class T>
 std::span<const std::byte> bytesOf(const std::vector<T>& array) {
@@ -20,7 +24,8 @@ ResidentScene::ResidentScene(Device& device, StagedScene staged, std::shared_ptr
     : device_(device), spare_(spare),
       textures_(device, std::move(staged.textures), before != nullptr ? &before->textures_ : nullptr),
       programs_(std::move(programs)), scene_(std::move(staged.arrays)),
-      pieces_(static_cast<std::uint32_t>(scene_->pieces.size())) {}
+      shared_(std::move(staged.sharedIndices)), pieces_(static_cast<std::uint32_t>(scene_->pieces.size())),
+      tables_(std::move(staged.tables)), packsTerrain_(staged.packsTerrain) {}
 
 ResidentScene::~ResidentScene() {
     for (TextureHandle texels : texels_)
@@ -50,7 +55,12 @@ void ResidentScene::listArrays() {
     };
     storage(layout::kBindMaterials, "materials", bytesOf(scene_->materials));
     storage(layout::kBindMaterialRefs, "material references", bytesOf(scene_->materialRefs));
-    storage(layout::kBindTerrain, "terrain cells", bytesOf(scene_->terrainCells));
+    if (packsTerrain_) {
+        packed_ = packTerrain(scene_->terrainCells, textures_.refs());
+        storage(layout::kBindTerrain, "packed terrain cells", bytesOf(packed_));
+    } else {
+        storage(layout::kBindTerrain, "terrain cells", bytesOf(scene_->terrainCells));
+    }
     storage(layout::kBindLightSets, "light sets", bytesOf(scene_->lightSets));
     storage(layout::kBindLights, "lights", bytesOf(scene_->lights));
     storage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs()));
@@ -60,6 +70,8 @@ void ResidentScene::listArrays() {
     texels(layout::kUnitInstances, "instances", bytesOf(scene_->instances));
     texels(layout::kUnitMembers, "members", bytesOf(scene_->members));
     texels(layout::kUnitPieces, "pieces", bytesOf(scene_->pieces));
+    if (!shared_->empty())
+        arrays_.push_back({kSharedIndices, bytesOf(*shared_)});
     bound_.assign(layout::kUnitFirstPage - layout::kUnitVertices, TextureHandle::Invalid);
 }
 
@@ -74,6 +86,8 @@ Result<bool> ResidentScene::advance(std::size_t& bytes) {
     if (scene_ != nullptr) {
         bound_.insert(bound_.end(), textures_.pages().begin(), textures_.pages().end());
         scene_.reset();
+        shared_.reset();
+        packed_ = {};
     }
     return programs_->buildNext(bytes);
 }
@@ -109,6 +123,8 @@ Result<bool> ResidentScene::upload(Array& array, std::size_t& bytes) {
 Result<void> ResidentScene::finish(const Array& array) {
     if (array.binding != kNowhere)
         storage_[array.binding] = {array.buffer, 0, std::max(array.bytes.size(), kSmallestRange)};
+    if (array.label == kSharedIndices)
+        sharedIndices_ = array.buffer;
     if (array.unit == kNowhere)
         return {};
     const Result<TextureHandle> texels = device_.createTexels(array.label, array.buffer);

@@ -35,7 +35,10 @@ public:
     [[nodiscard]] const TextureStore& textures() const { return textures_; }
     [[nodiscard]] BufferHandle vertices() const { return vertices_; }
     [[nodiscard]] BufferHandle indices() const { return storage_[frame::gpu::kBindIndices].buffer; }
-    [[nodiscard]] std::uint32_t pieces() const { return pieces_; } ///< their number
+    /// Indices that share vertices between triangles; of Drawing::Fast.
+    [[nodiscard]] BufferHandle sharedIndices() const { return sharedIndices_; }
+    [[nodiscard]] const frame::RecordTables& tables() const { return tables_; } ///< of Drawing::Fast
+    [[nodiscard]] std::uint32_t pieces() const { return pieces_; }              ///< their number
     /// Static arrays by binding; the other ranges are empty.
     [[nodiscard]] const StorageBindings& storage() const { return storage_; }
     /// Textures for Device::bindTextures.
@@ -61,15 +64,19 @@ private:
     SpareBuffers& spare_;
     TextureStore textures_;
     std::shared_ptr<Programs> programs_;
-    std::shared_ptr<const frame::SceneUpload> scene_; ///< until it is uploaded
+    std::shared_ptr<const frame::SceneUpload> scene_;          ///< until it is uploaded
+    std::shared_ptr<const std::vector<std::uint32_t>> shared_; ///< indices, likewise
     std::vector<Array> arrays_;
     std::size_t done_ = 0; ///< number of complete arrays
     std::vector<SizedBuffer> owned_;
     std::vector<TextureHandle> texels_; ///< buffers read as textures
     std::vector<TextureHandle> bound_;  ///< these and the textures' pages, by unit from kUnitVertices on
     StorageBindings storage_{};
-    BufferHandle vertices_ = BufferHandle::Invalid;
+    BufferHandle vertices_ = BufferHandle::Invalid, sharedIndices_ = BufferHandle::Invalid;
     std::uint32_t pieces_ = 0;
+    frame::RecordTables tables_;
+    bool packsTerrain_ = false;
+    std::vector<frame::gpu::PackedCell> packed_; ///< until it is uploaded
 };
 
 } // namespace limen::gpu

@@ -1,6 +1,7 @@
 #include "gpu/scene/SceneStaging.h"
 
 #include "gpu/scene/SceneCheck.h"
+#include "gpu/scene/SharedVertices.h"
 
 #include <algorithm>
 
@@ -44,21 +45,30 @@ void include(const TextureBinding& before, TextureBinding& binding) {
 
 } // namespace
 
-Result<StagedScene> stageScene(frame::SceneUpload scene, const TextureStoreOptions& options,
+Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& options,
                                const Capabilities& capabilities, const SceneState& before) {
     if (Result<void> checked = checkScene(scene); !checked)
         return tl::unexpected(checked.error());
-    Result<StagedTextures> textures = stageTextures(scene.textures, options, capabilities, before.textures);
+    Result<StagedTextures> textures =
+        stageTextures(scene.textures, options.textures, capabilities, before.textures);
     if (!textures)
         return tl::unexpected(textures.error());
     StagedScene staged;
     staged.bindings = bindingsOf(scene, *textures);
+    staged.packsTerrain = options.drawing == Drawing::Fast && staged.bindings.terrain.byIndex &&
+                          staged.bindings.terrain.pageCount > 0;
     // Programs that can sample unneeded pages exist already; programs without them would have to be built.
     if (before.bindings && !textures->bindless && keepsPageNumbers(before.textures, *textures)) {
         include(before.bindings->meshes, staged.bindings.meshes);
         include(before.bindings->terrain, staged.bindings.terrain);
     }
     scene.textures.clear();
+    std::vector<std::uint32_t> shared;
+    if (options.drawing == Drawing::Fast) {
+        shared = shareVertices(scene.vertices, scene.indices);
+        staged.tables = frame::tablesOf(scene);
+    }
+    staged.sharedIndices = std::make_shared<const std::vector<std::uint32_t>>(std::move(shared));
     staged.arrays = std::make_shared<const frame::SceneUpload>(std::move(scene));
     staged.textures = std::move(*textures);
     return staged;

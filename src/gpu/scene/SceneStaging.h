@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frame/DrawRecords.h"
 #include "frame/SceneUpload.h"
 #include "gpu/scene/Programs.h"
 #include "gpu/texture/TextureStaging.h"
@@ -19,6 +20,10 @@ struct SceneState {
 struct StagedScene {
     /// Without textures. The last owner of this pointer frees the memory, on its own thread.
     std::shared_ptr<const frame::SceneUpload> arrays;
+    /// Of Drawing::Fast, else empty.
+    std::shared_ptr<const std::vector<std::uint32_t>> sharedIndices;
+    frame::RecordTables tables;
+    bool packsTerrain = false; ///< the shaders read PackedCell
     StagedTextures textures;
     SceneBindings bindings;
 };
@@ -26,7 +31,7 @@ struct StagedScene {
 /// Checks a scene and prepares it as far as possible without a device. `before`: of the renderer that will
 /// draw it; shared content is not staged again. Errors: BadArgument for invalid indices; errors of
 /// stageTextures.
-[[nodiscard]] Result<StagedScene> stageScene(frame::SceneUpload scene, const TextureStoreOptions& options,
+[[nodiscard]] Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& options,
                                              const Capabilities& capabilities, const SceneState& before);
 
 } // namespace limen::gpu

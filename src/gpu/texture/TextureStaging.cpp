@@ -19,8 +19,15 @@ std::vector<MipLevel> levelsFor(const frame::TextureUpload& picture, const Textu
     return mipChain(large.width, large.height, large.rgba);
 }
 
-TextureShape shapeOf(const TextureClass& size, std::uint32_t layers, float anisotropy) {
-    return {size.width, size.height, layers, mipLevelCount(size.width, size.height), size.clamp, anisotropy};
+/// Filtering of all textures.
+struct Filter {
+    float anisotropy = 1.0f;
+    bool nearestLevel = false;
+};
+
+TextureShape shapeOf(const TextureClass& size, std::uint32_t layers, const Filter& filter) {
+    return {size.width,        size.height,        layers, mipLevelCount(size.width, size.height), size.clamp,
+            filter.anisotropy, filter.nearestLevel};
 }
 
 bool isAmong(std::span<const TextureContent> before, const TextureContent& content) {
@@ -53,7 +60,7 @@ PageLayout layOut(std::span<const frame::TextureUpload> pictures, std::span<cons
 }
 
 Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const TextureStoreOptions& options,
-                        const Capabilities& capabilities, float anisotropy,
+                        const Capabilities& capabilities, const Filter& filter,
                         std::span<const TextureContent> before, StagedTextures& out) {
     const std::uint32_t units = capabilities.textureUnits - frame::gpu::kUnitFirstPage;
     const std::uint32_t maxPages = options.pageLimit == 0 ? units : std::min(units, options.pageLimit);
@@ -67,7 +74,7 @@ Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const Te
         StagedTexture& texture = out.textures.emplace_back();
         texture.label = fmt::format("page {}x{}{}", page.shape.width, page.shape.height,
                                     page.shape.clamp ? " clamped" : "");
-        texture.content.shape = shapeOf(page.shape, std::max(page.layers, 1u), anisotropy);
+        texture.content.shape = shapeOf(page.shape, std::max(page.layers, 1u), filter);
         texture.content.keys.resize(page.layers);
     }
     out.locations = std::move(layout.locations);
@@ -80,12 +87,12 @@ Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const Te
     return {};
 }
 
-void stageHandles(std::span<const frame::TextureUpload> pictures, float anisotropy, StagedTextures& out) {
+void stageHandles(std::span<const frame::TextureUpload> pictures, const Filter& filter, StagedTextures& out) {
     for (const frame::TextureUpload& picture : pictures) {
         const auto number = static_cast<std::uint32_t>(out.textures.size());
         StagedTexture& texture = out.textures.emplace_back();
         texture.label = fmt::format("texture {}", number);
-        texture.content = {shapeOf(classOf(picture), 1, anisotropy), {picture.contentKey}};
+        texture.content = {shapeOf(classOf(picture), 1, filter), {picture.contentKey}};
         out.locations.push_back({number, 0});
         out.stored.push_back(classOf(picture));
     }
@@ -119,14 +126,14 @@ Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictu
         return fail(ErrorCode::Unsupported, capabilities.renderer,
                     "has no GL_ARB_bindless_texture; use --textures pages");
     }
-    const float anisotropy = capabilities.software ? 1.0f : options.anisotropy;
+    const Filter filter =
+        capabilities.software ? Filter{1.0f, options.nearestLevel} : Filter{options.anisotropy, false};
     StagedTextures out;
     out.bindless = options.mode != TextureMode::ArrayPages && capabilities.bindless;
     out.byIndex = !out.bindless && options.pagesByIndex && capabilities.software;
     if (out.bindless)
-        stageHandles(pictures, anisotropy, out);
-    else if (Result<void> staged = stagePages(pictures, options, capabilities, anisotropy, before, out);
-             !staged)
+        stageHandles(pictures, filter, out);
+    else if (Result<void> staged = stagePages(pictures, options, capabilities, filter, before, out); !staged)
         return tl::unexpected(staged.error());
     for (StagedTexture& texture : out.textures) {
         texture.isShared = isAmong(before, texture.content);

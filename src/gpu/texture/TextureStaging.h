@@ -20,6 +20,8 @@ enum class TextureMode : std::uint8_t {
 struct TextureStoreOptions {
     TextureMode mode = TextureMode::Auto;
     float anisotropy = 4.0f; ///< limit of anisotropic filtering; 1 on software drivers, where it is too slow
+    /// On software drivers, a sample is of the nearest mip level: half the time of a mean of two.
+    bool nearestLevel = false;
     /// On software drivers, shaders select the page by an index that varies between triangles. GLSL leaves
     /// that undefined unless all invocations shaded together agree. These drivers shade one triangle at a
     /// time, and with constant indices they would sample every page for every fragment.

@@ -88,7 +88,7 @@ Result<WorldOpening::Read> WorldOpening::read() const {
     if (!part)
         return tl::unexpected(part.error());
     Result<gpu::StagedScene> staged =
-        gpu::stageScene(frame::buildScene((*part)->part->scene), session_->renderer().options().textures,
+        gpu::stageScene(frame::buildScene((*part)->part->scene), session_->renderer().options(),
                         session_->capabilities(), {});
     if (!staged)
         return tl::unexpected(staged.error());

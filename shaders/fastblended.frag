@@ -1,0 +1,21 @@
+// Transparent surfaces of the fast way of drawing; blended as by blended.frag. Out: premultiplied colour.
+#include "textures.glsl"
+#include "fastgate.glsl"
+#define LOOK in
+#include "fastlook.glsl"
+
+layout(location = kOutputBlended) out vec4 outColour;
+
+void main() {
+    vec4 texel = texelsAt(vTexture, vUv);
+    float alpha = texel.a * vAlpha.x + vAlpha.y;
+#ifdef GATED
+    if (!isSeen(vMembers)) {
+        discard;
+    }
+#endif
+    if (alpha < vAlpha.z || alpha >= vAlpha.w) {
+        discard;
+    }
+    outColour = vec4((texel.rgb * vTimes + vPlus) * alpha, alpha * vCover);
+}

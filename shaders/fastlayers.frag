@@ -1,0 +1,16 @@
+// Counts the surfaces of the transparent stage, as layers.frag does, for the fast way of drawing.
+#include "fastgate.glsl"
+#include "layers.glsl"
+#define LOOK in
+#include "fastlook.glsl"
+
+layout(location = kOutputBlended) out vec4 outLayers;
+
+void main() {
+#ifdef GATED
+    if (!isSeen(vMembers)) {
+        discard;
+    }
+#endif
+    outLayers = vec4(1.0, layerHash(vId), 0.0, 0.0);
+}

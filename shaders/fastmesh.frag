@@ -1,0 +1,45 @@
+// Opaque and CUTOUT surfaces of the fast way of drawing. Out: colour; IDS: the polygon's id, and FLAT its colour.
+#include "textures.glsl"
+#include "fastgate.glsl"
+#include "idcolour.glsl"
+#define LOOK in
+#include "fastlook.glsl"
+
+layout(location = kOutputColour) out vec4 outColour;
+#ifdef IDS
+layout(location = kOutputId) out uint outId;
+#endif
+
+#ifdef CUTOUT
+float alphaOf(vec4 texel) {
+#ifdef IDS
+    if ((frame.flags & kFrameExactCutOuts) != 0u && vPicture != kNoTexture) {
+        texel = nearestTexel(vPicture, vUv);
+    }
+#endif
+    return texel.a * vAlpha.x + vAlpha.y;
+}
+#endif
+
+void main() {
+    vec4 texel = texelsAt(vTexture, vUv);
+#ifdef GATED
+    if (!isSeen(vMembers)) {
+        discard;
+    }
+#endif
+#ifdef CUTOUT
+    float alpha = alphaOf(texel);
+    if (alpha < vAlpha.z) {
+        discard;
+    }
+#endif
+#ifdef FLAT
+    outColour = colourOfId(vId);
+#else
+    outColour = vec4(texel.rgb * vTimes + vPlus, 1.0);
+#endif
+#ifdef IDS
+    outId = vId;
+#endif
+}

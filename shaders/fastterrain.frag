@@ -1,0 +1,37 @@
+// Landscape of the fast way of drawing, blended as by terrain.frag. Out: colour; IDS: the landcell triangle's id, and
+// FLAT its colour.
+#include "textures.glsl"
+#include "fastgate.glsl"
+#include "idcolour.glsl"
+#include "terrainblend.glsl"
+#define LOOK in
+#include "fastlook.glsl"
+
+layout(location = kOutputColour) out vec4 outColour;
+#ifdef IDS
+layout(location = kOutputId) out uint outId;
+#endif
+
+void main() {
+#ifndef FLAT
+#ifdef PAGES_BY_INDEX
+    vec3 albedo = blendedPacked(vLayers[0], vLayers[1], vLayers[2], vUv);
+#else
+    CellUv uv = CellUv(vUv, dFdx(vUv), dFdy(vUv));
+    vec3 albedo = blendedTerrain(vTexture.x, uv);
+#endif
+#endif
+#ifdef GATED
+    if (!isSeen(vMembers)) {
+        discard;
+    }
+#endif
+#ifdef FLAT
+    outColour = colourOfId(vId);
+#else
+    outColour = vec4(albedo * vTimes + vPlus, 1.0);
+#endif
+#ifdef IDS
+    outId = vId;
+#endif
+}

@@ -1,0 +1,25 @@
+// Values that fast.vert passes to the fragment stage. LOOK: out or in.
+// Colour = texel * vTimes + vPlus; alpha = texel.a * vAlpha.x + vAlpha.y, kept from vAlpha.z to below vAlpha.w. Light,
+// fog, highlights and materials without a texture all have this form.
+layout(location = kVaryingTimes) LOOK vec3 vTimes;
+layout(location = kVaryingPlus) LOOK vec3 vPlus;
+layout(location = kVaryingFastUv) LOOK vec2 vUv;
+layout(location = kVaryingTexture) flat LOOK uvec2 vTexture; // TextureRef.place.xy; TERRAIN: x: the landcell
+#if defined(TERRAIN) && defined(PAGES_BY_INDEX)
+layout(location = kVaryingLayers) flat LOOK uvec4 vLayers[kPackedVectors]; // PackedCell; three locations
+#endif
+#if defined(CUTOUT) || defined(BLENDED)
+layout(location = kVaryingAlpha) flat LOOK vec4 vAlpha;
+#endif
+#ifdef BLENDED
+layout(location = kVaryingCover) flat LOOK float vCover; // 0: additive
+#endif
+#if defined(GATED) && !defined(SKY)
+layout(location = kVaryingMembers) flat LOOK uvec4 vMembers; // DrawRecord.members; z: kNoVisit: seen without a test
+#endif
+#ifdef IDS
+layout(location = kVaryingFastId) flat LOOK uint vId;
+#ifdef CUTOUT
+layout(location = kVaryingPicture) flat LOOK uint vPicture; // index into textures, or kNoTexture
+#endif
+#endif

@@ -1,0 +1,106 @@
+#include "frame/DrawRecords.h"
+
+#include "core/Assert.h"
+#include "world/LevelRange.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace limen::frame {
+
+RecordTables tablesOf(const SceneUpload& scene) {
+    return {scene.pieces, scene.instances, scene.members, scene.levels, scene.lightSets, scene.lights};
+}
+
+bool DrawRecords::isInRange(std::uint32_t instance) const {
+    const gpu::Instance& drawn = at(instance);
+    if (drawn.level == gpu::kFromAnywhere)
+        return true;
+    const gpu::Level& level = tables_.levels[drawn.level];
+    const gpu::vec4& block = plan_.blocks[drawn.block];
+    const auto stepsOf = [](float eye, float origin) {
+        return static_cast<std::int64_t>(eye) -
+               static_cast<std::int64_t>(origin * static_cast<float>(gpu::kRangeSteps));
+    };
+    const gpu::vec4& steps = plan_.constants.eyeSteps;
+    const world::RangeSteps eye{stepsOf(steps.x, block.x), stepsOf(steps.y, block.y),
+                                stepsOf(steps.z, block.z)};
+    const auto measure =
+        static_cast<world::LevelMeasure>(static_cast<std::uint32_t>(level.originZ) % gpu::kMeasures);
+    constexpr int kMeasureBits = std::bit_width(gpu::kMeasures) - 1;
+    const std::uint32_t squared =
+        world::levelDistance(measure, {level.originX, level.originY, level.originZ >> kMeasureBits}, eye)
+            .squared;
+    return world::LevelRange{static_cast<std::uint16_t>(level.range),
+                             static_cast<std::uint16_t>(level.range >> 16)}
+        .contains(squared);
+}
+
+const gpu::Instance& DrawRecords::replaced(std::uint32_t instance) const {
+    for (const gpu::Replacement& replacement : plan_.replacements)
+        if (replacement.instance == instance)
+            return at(replacement.by);
+    return at(instance);
+}
+
+bool DrawRecords::hasLamps(std::uint32_t instance) const {
+    return tables_.lightSets[memberThatLights(replaced(instance)).lightSet].lightCount > 0;
+}
+
+Vec3 DrawRecords::offsetOf(std::uint32_t block, const Vec3f& local) const {
+    const gpu::vec4& origin = plan_.blocks[block];
+    const gpu::vec4 &high = plan_.constants.eyeHigh, &low = plan_.constants.eyeLow;
+    return Vec3(origin.x, origin.y, origin.z) + Vec3(local) - Vec3(high.x, high.y, high.z) -
+           Vec3(low.x, low.y, low.z);
+}
+
+void DrawRecords::placeLamps(std::span<gpu::Lamp> lamps) const {
+    LIMEN_ASSERT(lamps.size() == tables_.lights.size(), "one lamp for each light");
+    for (std::size_t i = 0; i < lamps.size(); ++i) {
+        const gpu::Light& light = tables_.lights[i];
+        const Vec3 at = offsetOf(std::bit_cast<std::uint32_t>(light.colour.w), Vec3f(light.position));
+        lamps[i] = {{Vec3f(at), light.position.w}, light.colour};
+    }
+}
+
+gpu::DrawRecord DrawRecords::of(std::uint32_t instance) const {
+    const gpu::Instance& drawn = replaced(instance);
+    gpu::DrawRecord record;
+    place(drawn, record);
+    light(drawn, record);
+    return record;
+}
+
+void DrawRecords::place(const gpu::Instance& instance, gpu::DrawRecord& record) const {
+    const gpu::vec4 &a = instance.pose0, &b = instance.pose1, &c = instance.pose2;
+    // The offset from the eye in two floats. Near the eye, the sum of the first with a coordinate is exact.
+    const Vec3 offset = offsetOf(instance.block, {c.y, c.z, c.w});
+    const Vec3f first(offset);
+    record.row0 = {a.x, a.w, b.z, first.x};
+    record.row1 = {a.y, b.x, b.w, first.y};
+    record.row2 = {a.z, b.y, c.x, first.z};
+    record.rest = {Vec3f(offset - Vec3(first)), 0.0f};
+}
+
+gpu::Member DrawRecords::memberThatLights(const gpu::Instance& instance) const {
+    const std::uint32_t count = gpu::memberCountOf(instance);
+    for (std::uint32_t i = 0; count > 1 && i < count; ++i)
+        if (const gpu::Member& each = member(instance.firstMember + i); each.zone == plan_.constants.rootZone)
+            return each;
+    return member(instance.firstMember);
+}
+
+void DrawRecords::light(const gpu::Instance& instance, gpu::DrawRecord& record) const {
+    const gpu::Member lit = memberThatLights(instance);
+    const gpu::LightSet& set = tables_.lightSets[lit.lightSet];
+    const gpu::ViewConstants& view = plan_.constants;
+    record.rest.w = lit.zone == gpu::kOutside ? 1.0f : 0.0f;
+    record.ambient = {gpu::vec3(set.ambient) + gpu::vec3(view.skyAmbient) * set.ambient.w, instance.opacity};
+    record.sun = {gpu::vec3(view.sunColour) * set.sun, 0.0f};
+    record.look = {instance.firstMaterial, instance.highlight, set.firstLight,
+                   std::min(set.lightCount, gpu::kMaxLights)};
+    const std::uint32_t members = gpu::memberCountOf(instance);
+    record.members = {members > 1 ? gpu::kNoVisit : lit.zone, instance.firstMember, members, instance.idBase};
+}
+
+} // namespace limen::frame

@@ -1,0 +1,54 @@
+#include "gpu/BatchDraws.h"
+
+namespace limen::gpu {
+
+namespace {
+
+bool isSky(frame::Program program) {
+    return program == frame::Program::SkyPlain || program == frame::Program::SkyObjects;
+}
+
+ProgramVariant variantOf(const frame::Batch& batch, const FrameKind& frame) {
+    const bool blended = batch.program == frame::Program::Blended;
+    const bool flat = frame.options.shading != Shading::Lit;
+    return {.gated = batch.gated,
+            .flat = blended ? frame.options.wantLayers : flat,
+            .multisampled = frame.multisampled,
+            .ids = frame.options.wantIds};
+}
+
+} // namespace
+
+BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const FrameKind& frame) {
+    const ProgramVariant variant = variantOf(batch, frame);
+    BatchDraws out{{BatchDraw{variant, slots.first, slots.end - slots.first}}, 1};
+    if (frame.drawing == Drawing::Exact)
+        return out;
+    if (isSky(batch.program)) {
+        out.draws[0].variant.gated = frame.several;
+    } else if (batch.gated && batch.program == frame::Program::Blended) {
+        out.draws[0].variant.lamps = slots.lampsInSecond; // one part, because of the order
+        return out;
+    } else if (batch.gated) {
+        out.draws[0] = {variant, slots.first, slots.second - slots.first};
+        out.draws[0].variant.gated = false;
+        out.draws[1] = {variant, slots.second, slots.end - slots.second};
+        out.draws[1].variant.lamps = slots.lampsInSecond;
+        out.count = 2;
+    }
+    out.draws[0].variant.lamps = slots.lampsInFirst;
+    return out;
+}
+
+DrawState stateOf(frame::Program program, const FrameKind& frame) {
+    const bool fast = frame.drawing == Drawing::Fast;
+    DrawState state;
+    // Exact outlines cull back faces per triangle (cull.comp); a portal polygon counts from both sides.
+    const bool culled = fast || !frame.exactOutlines;
+    state.cullBackFaces = culled && program != frame::Program::Ownership;
+    // A fast sky is tested before it is shaded, which a program that discards and writes depth never is.
+    state.writeDepth = program != frame::Program::Blended && !(fast && isSky(program));
+    return state;
+}
+
+} // namespace limen::gpu

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "gpu/BatchSlots.h"
+#include "gpu/RenderOptions.h"
+#include "gpu/RendererOptions.h"
+#include "gpu/scene/Programs.h"
+
+#include <array>
+
+namespace limen::gpu {
+
+/// Properties of a frame that its program variants depend on.
+struct FrameKind {
+    Drawing drawing = Drawing::Exact;
+    bool exactOutlines =
+        true; ///< triangles are culled one by one: no culling of back faces by the rasteriser
+    bool multisampled = false;
+    bool several = false; ///< visits
+    RenderOptions options{};
+};
+
+/// One draw call of a batch: a program variant and its draw commands.
+struct BatchDraw {
+    ProgramVariant variant;
+    std::uint32_t firstSlot = 0, count = 0; ///< of indexed programs
+};
+
+/// The draw calls of a batch: one, or for Drawing::Fast two in a frame with several visits, of which only the
+/// second takes the ownership test. A transparent batch has one, so that its draws stay in order. Their number depends on the batch's program and `gated` alone.
+struct BatchDraws {
+    std::array<BatchDraw, 2> draws;
+    std::size_t count = 0;
+    [[nodiscard]] const BatchDraw* begin() const { return draws.data(); }
+    [[nodiscard]] const BatchDraw* end() const { return draws.data() + count; }
+};
+[[nodiscard]] BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const FrameKind& frame);
+
+/// Pipeline state of a batch's program, without the program.
+[[nodiscard]] DrawState stateOf(frame::Program program, const FrameKind& frame);
+
+} // namespace limen::gpu

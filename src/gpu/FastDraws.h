@@ -1,0 +1,39 @@
+#pragma once
+
+#include "frame/DrawRecords.h"
+#include "gpu/BatchSlots.h"
+#include "gpu/FrameRing.h"
+
+namespace limen::gpu {
+
+/// Writes a plan's draw commands and draw records on the CPU, for Drawing::Fast. A batch of a frame with
+/// several visits has two parts: the second takes the ownership test. Seen from outside, draws that lamps light
+/// are in the second part, too, so that the programs of the first part, which draws trees, have no lamps.
+/// Reuse it: steady frames allocate nothing.
+class FastDraws {
+public:
+    /// Assigns slots to the plan's indexed draws. `tables`: of the scene that the plan was made for.
+    void prepare(const frame::FramePlan& plan, const RenderOptions& options,
+                 const frame::RecordTables& tables);
+    [[nodiscard]] std::uint32_t slotCount() const { return slots_.empty() ? 0 : slots_.back().end; }
+    [[nodiscard]] const BatchSlots& slotsOf(std::size_t batch) const { return slots_[batch]; }
+    /// Writes the commands and records of all slots, and the lamps, into the frame's ring memory. Arguments as
+    /// in `prepare`.
+    void write(const frame::FramePlan& plan, const frame::RecordTables& tables, const FrameRing& ring,
+               std::span<std::byte> memory);
+
+private:
+    /// One draw: a piece of a run.
+    struct Draw {
+        std::uint32_t piece = 0;
+        bool gated = false;
+    };
+    void addBatch(const frame::FramePlan& plan, const frame::Batch& batch, const frame::DrawRecords& makes);
+
+    std::vector<BatchSlots> slots_;
+    std::vector<Draw> draws_;               ///< by slot
+    std::vector<Draw> second_;              ///< of the batch being added
+    std::vector<frame::gpu::Instance> own_; ///< the plan's instances
+};
+
+} // namespace limen::gpu

@@ -1,0 +1,201 @@
+#include "GlFixture.h"
+#include "gpu/device/NullDevice.h"
+
+#include <set>
+
+namespace limen::gpu::test {
+namespace {
+
+constexpr std::uint32_t kMostFastCalls = 40; // GL calls per frame
+
+/// The fast way of drawing, against the exact one.
+class FastGlTest : public GlTest {
+protected:
+    static RendererOptions fast() { return {.drawing = Drawing::Fast}; }
+    /// Draws one scene both ways.
+    struct Both {
+        Frame exact, fast;
+    };
+    Both drawBoth(SceneBuilder& scene, std::uint32_t size, const RenderOptions& options = {},
+                  RendererOptions renderer = fast()) {
+        const frame::FramePlan& plan = scene.finish();
+        Renderer exactly(*device_), fastly(*device_, std::move(renderer));
+        for (Renderer* each : {&exactly, &fastly}) {
+            const Result<void> uploaded = each->upload(scene.upload);
+            EXPECT_TRUE(uploaded) << uploaded.error().message();
+        }
+        return {renderWith(exactly, plan, size, size, options),
+                renderWith(fastly, plan, size, size, options)};
+    }
+    /// The greatest difference of a channel.
+    static int difference(const Frame& a, const Frame& b) {
+        int most = 0;
+        for (std::size_t i = 0; i < a.colour.size(); ++i)
+            most = std::max(most, std::abs(int{a.colour[i]} - int{b.colour[i]}));
+        return most;
+    }
+    static std::uint32_t checkered(SceneBuilder& scene, std::uint8_t alpha = 255) {
+        return scene.addTexture(2, 2, {250, 0, 0, 255, 0, 250, 0, alpha, 0, 0, 250, alpha, 90, 80, 70, 255},
+                                false);
+    }
+    /// A room with an opening into another, a thing in each, and the outside beyond a second opening.
+    static SceneBuilder rooms() {
+        SceneBuilder scene;
+        const std::uint32_t picture = scene.addMaterial({1, 1, 1, 1}, checkered(scene));
+        const std::uint32_t cut = scene.addMaterial({1, 1, 1, 1}, checkered(scene, 0));
+        const std::uint32_t glass =
+            scene.addMaterial({0.5f, 0.6f, 0.7f, 0.5f}, layout::kNoTexture, layout::kMaterialAlpha);
+        scene.root(1);
+        const std::uint32_t next = scene.visitThrough({-1, -1}, {1, 1}, 2, 2, 0);
+        scene.visitThrough({-0.5f, -0.5f}, {0.5f, 0.5f}, 4, 0, next);
+        scene.addWallWithOpening('A', 4, 1, 2, {.members = {{1, 0}}, .material = picture});
+        scene.addWallWithOpening('B', 8, 0.5f, 4, {.members = {{2, 0}}, .material = picture, .gated = true});
+        scene.addWall('h', {-9, -9}, {9, 9}, 3,
+                      {.members = {{3, 0}}, .gated = true}); // hidden: of no visit's zone
+        scene.addWall(
+            'c', {-1, -1}, {0, 1}, 3,
+            {.members = {{2, 0}}, .material = cut, .program = frame::Program::CutOut, .gated = true});
+        scene.addWall(
+            'g', {-4, -4}, {4, 0}, 1.5f,
+            {.members = {{1, 0}}, .material = glass, .program = frame::Program::Blended, .gated = true});
+        scene.addSky({-3, -3}, {3, 3}, 1, glass, 0.5f);
+        return scene;
+    }
+};
+
+TEST_F(FastGlTest, showsTheSameSurfaces_depthAndOwners) {
+    SceneBuilder scene = rooms();
+    const Both both = drawBoth(scene, 32);
+    EXPECT_EQ(both.fast.picture(), both.exact.picture());
+    EXPECT_EQ(both.fast.ownership, both.exact.ownership);
+    EXPECT_EQ(std::set<std::uint32_t>(both.fast.ids.begin(), both.fast.ids.end()).count('h'), 0u);
+    for (std::size_t i = 0; i < both.exact.depth.size(); ++i)
+        if (both.exact.ids[i] != layout::kSkyId) // a fast sky writes no depth
+            EXPECT_NEAR(both.fast.depth[i], both.exact.depth[i], 1e-5f * both.exact.depth[i]) << i;
+}
+
+TEST_F(FastGlTest, showsTheSameColours) {
+    SceneBuilder scene = rooms();
+    for (const bool ids : {true, false}) {
+        const Both both = drawBoth(scene, 32, {.wantIds = ids});
+        EXPECT_LE(difference(both.exact, both.fast), 2);
+    }
+}
+
+TEST_F(FastGlTest, sharedVerticesShowTheSameAsEachTrianglesOwn) {
+    SceneBuilder scene = rooms();
+    const frame::FramePlan& plan = scene.finish();
+    Renderer renderer(*device_, fast());
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    const Frame own = renderWith(renderer, plan, 48, 48, {.wantIds = true});
+    const Frame shared = renderWith(renderer, plan, 48, 48, {.wantIds = false});
+    EXPECT_EQ(own.colour, shared.colour);
+}
+
+TEST_F(FastGlTest, countsTheSameLayers) {
+    SceneBuilder scene = rooms();
+    const Both both = drawBoth(scene, 32, {.wantLayers = true});
+    EXPECT_EQ(both.exact.layers, both.fast.layers);
+    EXPECT_GT(std::count_if(both.fast.layers.begin(), both.fast.layers.end(),
+                            [](const LayerSum& sum) { return sum.count > 0; }),
+              0);
+}
+
+TEST_F(FastGlTest, blendsTerrain_withPackedLayersAndWithout) {
+    for (const bool byIndex : {true, false}) {
+        SceneBuilder scene;
+        scene.root(0);
+        const std::uint32_t base = checkered(scene), over = scene.addTexture(1, 1, {0, 100, 40, 255}, false);
+        const std::uint32_t road = scene.addTexture(1, 1, {20, 30, 10, 255}, false);
+        const std::uint32_t map =
+            scene.addTexture(2, 2, {0, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 128, 0, 0, 0, 60}, true);
+        layout::TerrainCell cell;
+        cell.base = {base, layout::kNoTexture, 0, 2.0f};
+        cell.overlays[0] = {over, map, 1, 1.0f};
+        cell.overlays[1] = cell.overlays[2] = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+        cell.roads[0] = {road, map, 2, 1.0f};
+        cell.roads[1] = {road, map, 3, 1.0f};
+        scene.upload.terrainCells.push_back(cell);
+        scene.addWall('T', {-2, -2}, {2, 2}, 2,
+                      {.program = frame::Program::Terrain, .uv = {glm::vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+        RendererOptions options = fast();
+        options.textures.pagesByIndex = byIndex;
+        const Both both = drawBoth(scene, 32, {.wantIds = false}, options);
+        EXPECT_LE(difference(both.exact, both.fast), 3) << byIndex;
+        Frame white = both.fast;
+        std::fill(white.colour.begin(), white.colour.end(), std::uint8_t{255});
+        EXPECT_GT(difference(both.fast, white), 100);
+    }
+}
+
+TEST_F(FastGlTest, lampsLightCorners) {
+    SceneBuilder scene;
+    scene.root(1);
+    scene.upload.lightSets.push_back({{0.1f, 0.1f, 0.1f, 0.0f}, 0.0f, 0, 1, 0});
+    scene.upload.lights.push_back({{1, 1, 1, 6}, {0.5f, 0.4f, 0.3f, 0}});
+    constexpr float kSide = 0.25f; // small quads: the light is linear between their corners
+    for (int x = -8; x < 8; ++x) {
+        for (int z = -8; z < 8; ++z) {
+            const glm::vec2 at = glm::vec2(x, z) * kSide;
+            scene.addWall('a', at, at + kSide, 2, {.members = {{1, 1}}});
+        }
+    }
+    const Both both = drawBoth(scene, 16, {.wantIds = false});
+    EXPECT_LE(difference(both.exact, both.fast), 6);
+    std::set<std::uint8_t> reds;
+    for (std::size_t i = 0; i < both.fast.colour.size(); i += 4)
+        reds.insert(both.fast.colour[i]);
+    EXPECT_GT(reds.size(), 20u) << "brighter near the lamp";
+    scene.upload.lights.clear();
+    scene.upload.lightSets[1].lightCount = 0;
+    const Both dark = drawBoth(scene, 16, {.wantIds = false});
+    EXPECT_GT(difference(both.fast, dark.fast), 40);
+}
+
+TEST_F(FastGlTest, aFrameStaysWithinTheBudgetOfCalls_andNullDeviceCountsThemAlike) {
+    std::set<std::uint32_t> counts;
+    for (const int copies : {1, 30}) {
+        SceneBuilder scene = rooms();
+        for (int i = 1; i < copies; ++i)
+            scene.addWall('d', {0, 0}, {1, 1}, 5.0f + static_cast<float>(i),
+                          {.members = {{1, 0}}, .gated = i % 2 == 0});
+        scene.upload.terrainCells.resize(1);
+        scene.upload.terrainCells[0].base = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+        const frame::FramePlan& plan = scene.finish(true);
+        NullDevice null;
+        Renderer real(*device_, fast()), recorded(null, fast());
+        ASSERT_TRUE(real.upload(scene.upload));
+        ASSERT_TRUE(recorded.upload(scene.upload));
+        Result<RenderTarget> target = RenderTarget::create(*device_, 8, 8),
+                             nullTarget = RenderTarget::create(null, 8, 8);
+        for (int i = 0; i < 4; ++i) {
+            ASSERT_TRUE(real.render(plan, *target, {.wantIds = false}));
+            ASSERT_TRUE(recorded.render(plan, *nullTarget, {.wantIds = false}));
+            EXPECT_EQ(real.report().glCalls, recorded.report().glCalls);
+            EXPECT_LE(real.report().glCalls, kMostFastCalls);
+            counts.insert(real.report().glCalls);
+        }
+    }
+    EXPECT_EQ(counts.size(), 1u) << "independent of draws and of earlier frames";
+}
+
+TEST_F(FastGlTest, multisampledFramesShowTheSame) {
+    SceneBuilder scene = rooms();
+    const frame::FramePlan& plan = scene.finish();
+    std::vector<std::vector<std::uint8_t>> pictures;
+    for (const Drawing drawing : {Drawing::Exact, Drawing::Fast}) {
+        Renderer renderer(*device_, {.drawing = drawing});
+        ASSERT_TRUE(renderer.upload(scene.upload));
+        Result<RenderTarget> target = RenderTarget::create(*device_, 32, 32, {.samples = layout::kSamples});
+        ASSERT_TRUE(target);
+        ASSERT_TRUE(renderer.render(plan, *target, {.wantIds = false}));
+        pictures.push_back(target->readColour());
+    }
+    std::size_t unlike = 0;
+    for (std::size_t i = 0; i < pictures[0].size(); ++i)
+        unlike += std::abs(int{pictures[0][i]} - int{pictures[1][i]}) > 8 ? 1 : 0;
+    EXPECT_LT(unlike, pictures[0].size() / 20) << "edges alone";
+}
+
+} // namespace
+} // namespace limen::gpu::test

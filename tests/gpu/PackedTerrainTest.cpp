@@ -1,0 +1,72 @@
+#include "gpu/scene/PackedTerrain.h"
+
+#include <gtest/gtest.h>
+
+namespace limen::gpu {
+namespace {
+
+namespace layout = frame::gpu;
+
+constexpr layout::TerrainLayer kNone{layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+
+layout::TerrainCell onlyBase(const layout::TerrainLayer& base) {
+    layout::TerrainCell cell;
+    cell.base = base;
+    for (layout::TerrainLayer& overlay : cell.overlays)
+        overlay = kNone;
+    for (layout::TerrainLayer& road : cell.roads)
+        road = kNone;
+    return cell;
+}
+
+/// Texture n is in layer 10 n + 1 of page n.
+std::vector<layout::TextureRef> refs(std::uint32_t count) {
+    std::vector<layout::TextureRef> all(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        all[i].place = {10 * i + 1, i, 64, 64};
+    return all;
+}
+
+TEST(PackedTerrain, hasTheLayersThatExist_inOrder) {
+    layout::TerrainCell cell = onlyBase({2, layout::kNoTexture, 0, 4.0f});
+    cell.overlays[1] = {3, 5, 3, 2.0f};
+    cell.roads[0] = {4, 6, 1, 1.0f};
+    const std::vector<layout::PackedCell> packed = packTerrain({&cell, 1}, refs(7));
+    ASSERT_EQ(packed.size(), 1u);
+    const layout::uvec4 &first = packed[0].layers[0], &second = packed[0].layers[1];
+    EXPECT_EQ(first.x, 2u | 21u << 8 | 4u << layout::kPackedTiling);
+    EXPECT_EQ(first.y, layout::kPackedLayer) << "a base has no blend map";
+    EXPECT_EQ(first.z, 3u | 31u << 8 | 2u << layout::kPackedTiling);
+    EXPECT_EQ(first.w,
+              5u | 51u << 8 | 3u << layout::kPackedTurns | layout::kPackedLayer | layout::kPackedMap);
+    EXPECT_EQ(second.x, 4u | 41u << 8 | 1u << layout::kPackedTiling);
+    EXPECT_EQ(second.y, 6u | 61u << 8 | 1u << layout::kPackedTurns | layout::kPackedLayer |
+                            layout::kPackedMap | layout::kPackedRoad);
+    EXPECT_EQ(second.z, 0u);
+    EXPECT_EQ(second.w, 0u) << "no more layers";
+}
+
+TEST(PackedTerrain, holdsAllSixLayers) {
+    layout::TerrainCell cell = onlyBase({0, layout::kNoTexture, 0, 1.0f});
+    for (layout::TerrainLayer& overlay : cell.overlays)
+        overlay = {1, 2, 0, 1.0f};
+    for (layout::TerrainLayer& road : cell.roads)
+        road = {1, 2, 0, 1.0f};
+    const layout::PackedCell packed = packTerrain({&cell, 1}, refs(3)).front();
+    for (const layout::uvec4& pair : packed.layers) {
+        EXPECT_NE(pair.y & layout::kPackedLayer, 0u);
+        EXPECT_NE(pair.w & layout::kPackedLayer, 0u);
+    }
+    EXPECT_NE(packed.layers[2].w & layout::kPackedRoad, 0u);
+    EXPECT_EQ(packed.layers[1].w & layout::kPackedRoad, 0u);
+}
+
+TEST(PackedTerrain, repeatsAreWholeNumbersFrom1To255) {
+    for (const auto& [tiling, packed] : {std::pair{0.2f, 1u}, {2.6f, 3u}, {1000.0f, 255u}}) {
+        const layout::TerrainCell cell = onlyBase({0, layout::kNoTexture, 0, tiling});
+        EXPECT_EQ(packTerrain({&cell, 1}, refs(1)).front().layers[0].x >> layout::kPackedTiling, packed);
+    }
+}
+
+} // namespace
+} // namespace limen::gpu
