@@ -206,6 +206,7 @@ FrameFigures Session::figures() const {
     const gpu::FrameReport report = renderer().report();
     FrameFigures figures;
     figures.driver = driver();
+    figures.drawing = options_.drawing == gpu::Drawing::Fast ? "fast" : "exact";
     figures.textures = renderer().driver().textureMode;
     figures.glCalls = report.glCalls;
     figures.ringStalls = report.ringStalls;

@@ -138,6 +138,7 @@ Json frameJson(const world::World& world, const engine::IdTable& table, const en
                   {"submit_ms", number(figures.submitMs)},
                   {"gpu_ms", number(figures.gpuMs)}}},
                 {"driver", figures.driver},
+                {"drawing", figures.drawing},
                 {"textures", figures.textures},
                 {"bytes_written", figures.bytesWritten},
                 {"ring_stalls", figures.ringStalls},

@@ -103,6 +103,7 @@ nlohmann::ordered_json tracedJson(const world::World& world, const engine::IdTab
             visible.seen.push_back({s, 0, {}});
     engine::FrameFigures figures;
     figures.driver = "reference";
+    figures.drawing = "traced";
     figures.textures = "none";
     figures.floodMs = figures.planMs = figures.submitMs = figures.gpuMs =
         std::numeric_limits<double>::quiet_NaN();

@@ -239,6 +239,7 @@ void drawDeveloperPart(Ui&, const PanelFacts& facts) {
     drawFindings(facts.world.findings);
     if (ImGui::CollapsingHeader("Driver")) {
         uiText(facts.figures.driver);
+        uiText("drawing: " + facts.figures.drawing);
         uiText(facts.figures.textures);
     }
 }
