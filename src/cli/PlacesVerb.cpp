@@ -1,6 +1,7 @@
 #include "cli/OpenWorld.h"
 #include "cli/Verbs.h"
 #include "engine/WorldSource.h"
+#include "engine/map/MapCoordinates.h"
 #include "engine/places/FoundPlaces.h"
 #include "world/Lookup.h"
 
