@@ -19,7 +19,7 @@ struct StageFigures {
 /// Figures of the last frame.
 struct FrameFigures {
     std::string driver;
-    std::string drawing; ///< way of drawing: "exact", "fast" or "traced"
+    std::string drawing;  ///< way of drawing: "exact", "fast" or "traced"
     std::string textures; ///< "bindless" or "array pages"
     std::vector<StageFigures> stages;
     std::uint32_t glCalls = 0;
