@@ -9,7 +9,8 @@
 namespace limen::frame {
 
 RecordTables tablesOf(const SceneUpload& scene) {
-    return {scene.pieces, scene.instances, scene.members, scene.levels, scene.lightSets, scene.lights};
+    return {scene.pieces,    scene.instances, scene.members, scene.levels,
+            scene.lightSets, scene.lights,    scene.lampLit};
 }
 
 bool DrawRecords::isInRange(std::uint32_t instance) const {
@@ -36,15 +37,21 @@ bool DrawRecords::isInRange(std::uint32_t instance) const {
         .contains(squared);
 }
 
-const gpu::Instance& DrawRecords::replaced(std::uint32_t instance) const {
+std::uint32_t DrawRecords::replaced(std::uint32_t instance) const {
     for (const gpu::Replacement& replacement : plan_.replacements)
         if (replacement.instance == instance)
-            return at(replacement.by);
-    return at(instance);
+            return replacement.by;
+    return instance;
+}
+
+std::uint32_t DrawRecords::lampsOf(std::uint32_t instance, const gpu::LightSet& set) const {
+    const bool isKnown = instance < tables_.lampLit.size();
+    return isKnown && tables_.lampLit[instance] == 0 ? 0 : std::min(set.lightCount, gpu::kMaxLights);
 }
 
 bool DrawRecords::hasLamps(std::uint32_t instance) const {
-    return tables_.lightSets[memberThatLights(replaced(instance)).lightSet].lightCount > 0;
+    const gpu::Member lit = memberThatLights(at(replaced(instance)));
+    return lampsOf(instance, tables_.lightSets[lit.lightSet]) > 0;
 }
 
 Vec3 DrawRecords::offsetOf(std::uint32_t block, const Vec3f& local) const {
@@ -64,10 +71,9 @@ void DrawRecords::placeLamps(std::span<gpu::Lamp> lamps) const {
 }
 
 gpu::DrawRecord DrawRecords::of(std::uint32_t instance) const {
-    const gpu::Instance& drawn = replaced(instance);
     gpu::DrawRecord record;
-    place(drawn, record);
-    light(drawn, record);
+    place(at(replaced(instance)), record);
+    light(instance, record);
     return record;
 }
 
@@ -90,15 +96,15 @@ gpu::Member DrawRecords::memberThatLights(const gpu::Instance& instance) const {
     return member(instance.firstMember);
 }
 
-void DrawRecords::light(const gpu::Instance& instance, gpu::DrawRecord& record) const {
+void DrawRecords::light(std::uint32_t number, gpu::DrawRecord& record) const {
+    const gpu::Instance& instance = at(replaced(number));
     const gpu::Member lit = memberThatLights(instance);
     const gpu::LightSet& set = tables_.lightSets[lit.lightSet];
     const gpu::ViewConstants& view = plan_.constants;
     record.rest.w = lit.zone == gpu::kOutside ? 1.0f : 0.0f;
     record.ambient = {gpu::vec3(set.ambient) + gpu::vec3(view.skyAmbient) * set.ambient.w, instance.opacity};
     record.sun = {gpu::vec3(view.sunColour) * set.sun, 0.0f};
-    record.look = {instance.firstMaterial, instance.highlight, set.firstLight,
-                   std::min(set.lightCount, gpu::kMaxLights)};
+    record.look = {instance.firstMaterial, instance.highlight, set.firstLight, lampsOf(number, set)};
     const std::uint32_t members = gpu::memberCountOf(instance);
     record.members = {members > 1 ? gpu::kNoVisit : lit.zone, instance.firstMember, members, instance.idBase};
 }

@@ -17,6 +17,7 @@ struct RecordTables {
     std::vector<gpu::Level> levels;
     std::vector<gpu::LightSet> lightSets;
     std::vector<gpu::Light> lights;
+    std::vector<std::uint8_t> lampLit; ///< SceneUpload::lampLit
 };
 [[nodiscard]] RecordTables tablesOf(const SceneUpload& scene);
 
@@ -43,7 +44,8 @@ public:
     void placeLamps(std::span<gpu::Lamp> lamps) const;
 
 private:
-    [[nodiscard]] const gpu::Instance& replaced(std::uint32_t instance) const;
+    /// The number of the instance that draws an instance in this frame.
+    [[nodiscard]] std::uint32_t replaced(std::uint32_t instance) const;
     /// From the eye to block-local coordinates, metres.
     [[nodiscard]] Vec3 offsetOf(std::uint32_t block, const Vec3f& local) const;
     [[nodiscard]] const gpu::Instance& at(std::uint32_t instance) const {
@@ -56,7 +58,9 @@ private:
     }
     [[nodiscard]] gpu::Member memberThatLights(const gpu::Instance& instance) const;
     void place(const gpu::Instance& instance, gpu::DrawRecord& record) const;
-    void light(const gpu::Instance& instance, gpu::DrawRecord& record) const;
+    void light(std::uint32_t instance, gpu::DrawRecord& record) const;
+    /// Lamps that may reach an instance.
+    [[nodiscard]] std::uint32_t lampsOf(std::uint32_t instance, const gpu::LightSet& set) const;
 
     const RecordTables& tables_;
     const FramePlan& plan_;

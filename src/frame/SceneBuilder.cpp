@@ -101,6 +101,19 @@ void addTextures(const world::World& world, SceneUpload& scene) {
     }
 }
 
+/// Whether a lamp of the instance's light sets reaches its bounds.
+bool isLampLit(const world::World& world, const world::Instance& instance) {
+    const auto members = std::span(world.members).subspan(instance.firstMember, instance.memberCount);
+    return std::any_of(members.begin(), members.end(), [&](world::SpaceIndex space) {
+        const world::LightSet& set = world.lightSets[world.spaces[space].lightSet];
+        const auto lamps = std::span(world.lights).subspan(set.firstLight, set.lightCount);
+        return std::any_of(lamps.begin(), lamps.end(), [&](const world::Light& lamp) {
+            return glm::length(lamp.position - instance.bounds.centre) <
+                   double{lamp.range} + instance.bounds.radius;
+        });
+    });
+}
+
 } // namespace
 
 SceneUpload buildScene(const StaticScene& scene) {
@@ -123,6 +136,8 @@ SceneUpload buildScene(const StaticScene& scene) {
         upload.terrainCells.push_back(packTerrain(cell));
     for (const world::LightSet& set : world.lightSets)
         upload.lightSets.push_back({{set.ambient, set.sky}, set.sun, set.firstLight, set.lightCount, 0});
+    for (const world::Instance& instance : world.instances)
+        upload.lampLit.push_back(isLampLit(world, instance) ? 1 : 0);
     for (const world::Light& light : world.lights)
         upload.lights.push_back(packLight(world, light));
     return upload;

@@ -29,6 +29,8 @@ struct SceneUpload {
     std::vector<gpu::TerrainCell> terrainCells;
     std::vector<gpu::LightSet> lightSets;
     std::vector<gpu::Light> lights;
+    /// By instance: 1 if a lamp of its light sets reaches its bounds. Empty: unknown, any lamp may.
+    std::vector<std::uint8_t> lampLit;
     std::vector<TextureUpload> textures;
 };
 

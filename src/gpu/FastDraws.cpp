@@ -32,7 +32,8 @@ void FastDraws::prepare(const frame::FramePlan& plan, const RenderOptions& optio
 void FastDraws::addBatch(const frame::FramePlan& plan, const frame::Batch& batch,
                          const frame::DrawRecords& makes) {
     const bool fromOutside = plan.constants.rootZone == layout::kOutside;
-    const bool isWhole = batch.program == frame::Program::Blended; // back to front
+    const bool takesLamps = batch.program != frame::Program::Terrain; // its corners are too far apart
+    const bool isWhole = batch.program == frame::Program::Blended;    // back to front
     BatchSlots& slots = slots_.back();
     second_.clear();
     std::uint32_t last = 0xFFFFFFFFu; // pieces of one instance often follow each other
@@ -47,7 +48,7 @@ void FastDraws::addBatch(const frame::FramePlan& plan, const frame::Batch& batch
             if (piece.instance != last) {
                 last = piece.instance;
                 isHere = makes.isInRange(last);
-                hasLamps = isHere && makes.hasLamps(last);
+                hasLamps = isHere && takesLamps && makes.hasLamps(last);
             }
             if (!isHere)
                 continue;

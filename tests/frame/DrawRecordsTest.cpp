@@ -98,6 +98,26 @@ TEST(DrawRecords, lampsAreWhereTheLightsAre) {
     EXPECT_EQ(lamps.back().colour.y, 0.25f);
 }
 
+TEST(DrawRecords, lampsLightOnlyWhatTheyReach) {
+    Recorded source;
+    PlannedWorld planned(source.rooms.world);
+    frame::RecordTables tables = frame::tablesOf(frame::buildScene(planned.scene));
+    ASSERT_EQ(tables.lampLit.size(), planned.world.instances.size());
+    tables.lights.push_back({{1, 2, 3, 9}, {1, 1, 1, std::bit_cast<float>(0u)}});
+    for (frame::gpu::LightSet& set : tables.lightSets)
+        set.lightCount = 1;
+    tables.lampLit.assign(tables.lampLit.size(), 0);
+    tables.lampLit[1] = 1;
+    const frame::FramePlan& plan = planned.planFrom({92, 125, 1.6}, 180.0, world::kOutside);
+    const frame::DrawRecords records(tables, plan, {});
+    EXPECT_FALSE(records.hasLamps(0));
+    EXPECT_EQ(records.of(0).look.w, 0u);
+    EXPECT_TRUE(records.hasLamps(1));
+    EXPECT_EQ(records.of(1).look.w, 1u);
+    tables.lampLit.clear();
+    EXPECT_TRUE(records.hasLamps(0)) << "unknown: any lamp may reach it";
+}
+
 /// Whether the shells of the rooms take the ownership test.
 std::map<world::InstanceIndex, bool> gatedShells(PlannedWorld& planned, const Vec3& eye, double yaw,
                                                  world::SpaceIndex root, bool fewTests) {
