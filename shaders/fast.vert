@@ -3,10 +3,9 @@
 // In: one vertex of the arena, model space; the DrawRecord of its draw. Out: clip position; factors of the texel; the
 // texture.
 // TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh. CUTOUT, BLENDED: the
-// limits of alpha. GATED: the members that the ownership test needs. LAMPS: with
-// the lamps of the record. IDS: the polygon's id.
+// limits of alpha. GATED: the members that the ownership test needs. LAMPS: with the lamps of the record. IDS: the
+// polygon's id.
 #include "incident.glsl"
-#include "split.glsl"
 #include "Tolerances.h"
 
 layout(location = kAttributePosition) in vec3 inPosition;
@@ -25,6 +24,7 @@ layout(location = kAttributeMembers) in uvec4 inMembers;
 invariant gl_Position;
 #define LOOK out
 #include "fastlook.glsl"
+#include "fastmaterial.glsl"
 
 vec3 turned(vec3 v) {
     precise vec3 result = vec3(inRow0.x * v.x + inRow0.y * v.y + inRow0.z * v.z, inRow1.x * v.x + inRow1.y * v.y + inRow1.z * v.z,
@@ -52,44 +52,29 @@ vec3 lampsAt(vec3 eyeRelative, vec3 normal) {
 #endif
 
 // Factors of a surface with this colour: the incident light, with a lower bound, then fog and highlight over it.
-void setLook(vec3 eyeRelative, vec3 albedo, float luminosity, float diffuse, float withFog) {
+Look lookOf(vec3 eyeRelative, vec3 albedo, float luminosity, float diffuse, float withFog) {
     vec3 normal = normalize(turned(inNormal.xyz));
     vec3 light = inAmbient.rgb + inSun.rgb * max(0.0, dot(normal, frame.sunDirection.xyz));
     float fog = inOffsetRest.w * fogOutside(eyeRelative);
     vec4 over = unpackUnorm4x8(inLook.y);
-    vTimes = albedo * ((1.0 - fog) * (1.0 - over.a));
-    vPlus = frame.fogColour.rgb * (fog * withFog * (1.0 - over.a)) + over.rgb * over.a;
 #ifdef LAMPS
     light += lampsAt(eyeRelative, normal);
 #endif
-    vTimes *= max(light * diffuse, vec3(luminosity));
-}
-
-// A material without a texture is its colour alone.
-void withoutTexture() {
-    vTexture = uvec2(0u);
-    vPlus += vTimes;
-    vTimes = vec3(0.0);
+    vec3 times = albedo * max(light * diffuse, vec3(luminosity));
+    return Look(times * ((1.0 - fog) * (1.0 - over.a)),
+                frame.fogColour.rgb * (fog * withFog * (1.0 - over.a)) + over.rgb * over.a);
 }
 
 #if defined(CUTOUT) || defined(BLENDED)
 void setAlpha(Material material, float opacity) {
-    bool isSplit = (material.flags & kMaterialSplit) != 0u;
-    bool isInverse = (material.flags & kMaterialInvAlpha) != 0u;
-    float whole = material.colour.a;
+    bool hasParts = (material.flags & kMaterialSplit) != 0u;
+    bool areDrawn = (device.flags & kFrameSplits) != 0u;
 #ifdef CUTOUT
-    whole *= isSplit ? opacity : 1.0;
-    vAlpha = vec4(whole, 0.0, isSplit ? kSolidAlpha : kCutOutAlpha, kAnyAlpha);
-    vAlpha.z = isSplit && (device.flags & kFrameSplits) == 0u ? kAnyAlpha : vAlpha.z; // drawn by the blended part alone
+    float least = !hasParts ? kCutOutAlpha : areDrawn ? kSolidAlpha : kAnyAlpha; // else the blended part alone is drawn
+    vAlpha = alphaOf(material, material.colour.a * (hasParts ? opacity : 1.0), false, vec2(least, kAnyAlpha));
 #else
-    whole *= opacity;
-    bool isDivided = isSplit && (device.flags & kFrameSplits) != 0u;
-    vAlpha = isInverse ? vec4(-whole, whole, -kAnyAlpha, kAnyAlpha) : vec4(whole, 0.0, -kAnyAlpha, kAnyAlpha);
-    vAlpha.zw = isDivided ? vec2(kLeastAlpha, kSolidAlpha + kSplitOverlap) : vAlpha.zw;
+    vAlpha = blendedAlpha(material, opacity, hasParts && areDrawn ? vec2(kLeastAlpha, kSolidAlpha + kSplitOverlap) : kAllAlpha);
 #endif
-    if (material.texture == kNoTexture) {
-        vAlpha.xy = vec2(0.0, vAlpha.x + vAlpha.y);
-    }
 }
 #endif
 
@@ -100,16 +85,11 @@ void setSurface(vec3 eyeRelative) {
     vCover = (material.flags & kMaterialAdditive) != 0u ? 0.0 : 1.0;
     withFog = vCover; // an additive surface covers no fog
 #endif
-    setLook(eyeRelative, material.colour.rgb, material.luminosity, material.diffuse, withFog);
+    setTexture(material, lookOf(eyeRelative, material.colour.rgb, material.luminosity, material.diffuse, withFog));
     vUv = inUv;
 #if defined(CUTOUT) || defined(BLENDED)
     setAlpha(material, inAmbient.a);
 #endif
-    if (material.texture == kNoTexture) {
-        withoutTexture();
-    } else {
-        vTexture = textureRefs[material.texture].place.xy;
-    }
 #if defined(CUTOUT) && defined(IDS)
     vPicture = material.texture;
 #endif
@@ -119,7 +99,9 @@ void main() {
     vec3 eyeRelative = eyeRelativePlace();
     gl_Position = clipFromEye(eyeRelative);
 #ifdef TERRAIN
-    setLook(eyeRelative, vec3(1.0), 0.0, 1.0, 1.0);
+    Look look = lookOf(eyeRelative, vec3(1.0), 0.0, 1.0, 1.0);
+    vTimes = look.times;
+    vPlus = look.plus;
     vUv = vec2(inUv.x, 1.0 - inUv.y);
     vTexture = uvec2(inLook.x + (inPolygonSurface >> 16), 0u);
 #ifdef PAGES_BY_INDEX
@@ -131,10 +113,9 @@ void main() {
     setSurface(eyeRelative);
 #endif
 #ifdef GATED
-    vMembers = inMembers;
-    vMembers.z = inSun.w > 0.0 ? inMembers.z : kNoVisit;
+    vMembers = inMembers.xyz;
 #endif
 #ifdef IDS
-    vId = inMembers.w + (inPolygonSurface & 0xFFFFu);
+    vId = inMembers.z + (inPolygonSurface & 0xFFFFu);
 #endif
 }

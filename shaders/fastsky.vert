@@ -4,7 +4,6 @@
 #define BLENDED
 #define SKY
 #include "transform.glsl"
-#include "split.glsl"
 
 layout(location = kAttributePosition) in vec3 inPosition;
 layout(location = kAttributeUv) in vec2 inUv;
@@ -12,6 +11,7 @@ layout(location = kAttributePolygonSurface) in uint inPolygonSurface;
 
 #define LOOK out
 #include "fastlook.glsl"
+#include "fastmaterial.glsl"
 
 void main() {
     SkyInstance object = skyInstances[uint(gl_BaseInstanceARB)];
@@ -19,14 +19,7 @@ void main() {
     vec4 clip = clipFromEye(blockFromModel(inPosition, object.row0, object.row1, object.row2));
     gl_Position = vec4(clip.xy, kSkyDepth * clip.w, clip.w);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
-    bool hasTexture = material.texture != kNoTexture;
-    bool isInverse = (material.flags & kMaterialInvAlpha) != 0u;
-    vec3 colour = material.colour.rgb * object.luminosity;
-    float whole = material.colour.a * object.opacity;
-    vTimes = hasTexture ? colour : vec3(0.0);
-    vPlus = hasTexture ? vec3(0.0) : colour;
-    vAlpha = isInverse ? vec4(-whole, whole, -kAnyAlpha, kAnyAlpha) : vec4(whole, 0.0, -kAnyAlpha, kAnyAlpha);
-    vAlpha.xy = hasTexture ? vAlpha.xy : vec2(0.0, vAlpha.x + vAlpha.y);
+    setTexture(material, Look(material.colour.rgb * object.luminosity, vec3(0.0)));
+    vAlpha = blendedAlpha(material, object.opacity, kAllAlpha);
     vCover = (material.flags & kMaterialAdditive) != 0u ? 0.0 : 1.0;
-    vTexture = hasTexture ? textureRefs[material.texture].place.xy : uvec2(0u);
 }

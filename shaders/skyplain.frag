@@ -1,5 +1,5 @@
 // The plain sky: pixels without a surface whose ray ended outside. Out: gradient from horizon to zenith; the sky's id.
-// FLAT: colour of the id. FAST: the ownership test only if GATED; no id but with IDS.
+// FLAT: colour of the id. FAST: the ownership test only if GATED, the id only with IDS.
 #include "gate.glsl"
 #include "idcolour.glsl"
 

@@ -389,11 +389,9 @@ LIMEN_STRUCT(DrawRecord) {
     vec4 row2 LIMEN_ZERO;
     vec4 rest LIMEN_ZERO;    // xyz: residual of the offset; w: 1 where fog lies, else 0
     vec4 ambient LIMEN_ZERO; // rgb: light from everywhere; w: opacity
-    vec4 sun
-        LIMEN_ZERO; // rgb: light of the sun at a surface that faces it; w: 1 if it takes the ownership test
-    uvec4 look LIMEN_ZERO; // Instance.firstMaterial, Instance.highlight, LightSet.firstLight and lightCount
-    uvec4 members
-        LIMEN_ZERO; // the only zone, or kNoVisit; Instance.firstMember, member count, Instance.idBase
+    vec4 sun LIMEN_ZERO;     // rgb: light of the sun at a surface that faces it
+    uvec4 look LIMEN_ZERO;   // Instance.firstMaterial, Instance.highlight, LightSet.firstLight and lightCount
+    uvec4 members LIMEN_ZERO; // Instance.firstMember, member count (0: no ownership test), Instance.idBase
 };
 
 // A sky object of this frame.

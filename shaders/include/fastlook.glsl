@@ -15,7 +15,7 @@ layout(location = kVaryingAlpha) flat LOOK vec4 vAlpha;
 layout(location = kVaryingCover) flat LOOK float vCover; // 0: additive
 #endif
 #if defined(GATED) && !defined(SKY)
-layout(location = kVaryingMembers) flat LOOK uvec4 vMembers; // DrawRecord.members; z: kNoVisit: seen without a test
+layout(location = kVaryingMembers) flat LOOK uvec3 vMembers; // DrawRecord.members
 #endif
 #ifdef IDS
 layout(location = kVaryingFastId) flat LOOK uint vId;

@@ -8,3 +8,4 @@ const float kLeastAlpha = 0.05;
 // surplus.
 const float kSplitOverlap = 1.0 / 512.0;
 const float kAnyAlpha = 1.0e9; // beyond every alpha
+const vec2 kAllAlpha = vec2(-kAnyAlpha, kAnyAlpha);

@@ -75,7 +75,7 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
                                                      : gpu::Culling::Hidden;
             },
             "skip triangles that cover no pixel (unseen), also those behind walls and ground (hidden), or "
-            "none; pictures are equal (hidden)")
+            "none; pictures are equal; without effect on --draw fast (hidden)")
         ->type_name("none|unseen|hidden")
         ->check(oneOf({"none", "unseen", "hidden"}))
         ->group("World");

@@ -105,8 +105,7 @@ void DrawRecords::light(std::uint32_t number, gpu::DrawRecord& record) const {
     record.ambient = {gpu::vec3(set.ambient) + gpu::vec3(view.skyAmbient) * set.ambient.w, instance.opacity};
     record.sun = {gpu::vec3(view.sunColour) * set.sun, 0.0f};
     record.look = {instance.firstMaterial, instance.highlight, set.firstLight, lampsOf(number, set)};
-    const std::uint32_t members = gpu::memberCountOf(instance);
-    record.members = {members > 1 ? gpu::kNoVisit : lit.zone, instance.firstMember, members, instance.idBase};
+    record.members = {instance.firstMember, gpu::memberCountOf(instance), instance.idBase, 0};
 }
 
 } // namespace limen::frame

@@ -85,7 +85,8 @@ void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& t
             record = makes.of(last);
         }
         records[slot] = record;
-        records[slot].sun.w = draws_[slot].gated ? 1.0f : 0.0f;
+        if (!draws_[slot].gated)
+            records[slot].members.y = 0;
     }
     makes.placeLamps(ring.lamps(memory));
 }

@@ -45,7 +45,7 @@ TEST(DrawRecords, placeAnInstanceAsItsPoseDoes_whereverTheEyeIs) {
                               glm::dot(Vec3f(record.row1), model) + record.row1.w + record.rest.y,
                               glm::dot(Vec3f(record.row2), model) + record.row2.w + record.rest.z);
             EXPECT_LT(glm::length(placed - expected), 2e-5) << i;
-            EXPECT_EQ(record.members.w, instance.idBase);
+            EXPECT_EQ(record.members.z, instance.idBase);
             EXPECT_EQ(record.look.x, instance.firstMaterial);
         }
     }
