@@ -36,10 +36,11 @@ vec4 sampleTexture(uint index, vec2 uv, vec2 dx, vec2 dy) {
 
 #ifdef FAST
 // Filtered texels of the texture at a place (TextureRef) that is constant over a triangle. Fragments that are
-// differentiated together are of one triangle, so they agree on the page.
+// differentiated together are of one triangle, so they agree on the page. Handle 0: white, because a driver may crash
+// when a shader samples it.
 vec4 texelsAt(uvec2 place, vec2 uv) {
 #ifdef BINDLESS
-    return texture(sampler2DArray(place), vec3(uv, 0.0));
+    return place == uvec2(0u) ? vec4(1.0) : texture(sampler2DArray(place), vec3(uv, 0.0));
 #elif PAGE_COUNT == 0
     return vec4(1.0);
 #else

@@ -66,7 +66,8 @@ Result<std::string> shaderText(std::string_view name, const ProgramSource& sourc
     text += stageDefine(name);
     for (const std::string& define : source.defines)
         text += "#define " + define + " 1\n";
-    text += shader->text;
+    for (const std::string_view part : shader->parts)
+        text += part;
     return text;
 }
 

@@ -12,8 +12,9 @@ namespace limen::gpu {
 
 /// One shader of the folder `shaders/`, includes resolved at build time (embed/EmbedShaders.cpp).
 struct EmbeddedShader {
-    std::string_view name;               ///< file name, e.g. "mesh.vert"
-    std::string_view text;               ///< without `#version`
+    std::string_view name; ///< file name, e.g. "mesh.vert"
+    /// Text without `#version`, in parts: a compiler need not accept a literal of more than 65,536 characters.
+    std::vector<std::string_view> parts;
     std::vector<std::string_view> files; ///< file of each source number in its `#line` directives
 };
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 // One shader with all its includes.
 struct Flattened {
-    std::string text;
+    std::vector<std::string> parts; // one per stretch of a file; joined, they are the text
     std::vector<std::string> files; // relative to the shader folder; the index is the source number
 };
 
@@ -49,19 +49,20 @@ public:
         const std::size_t number = out.files.size();
         out.files.push_back(name);
         dependencies_.insert((root_ / name).string());
-        out.text += "#line 1 " + std::to_string(number) + "\n";
+        out.parts.push_back("#line 1 " + std::to_string(number) + "\n");
         std::string line;
         for (std::size_t lineNumber = 1; std::getline(in, line); ++lineNumber) {
             const std::optional<std::string> included = includedName(line);
             if (!included) {
-                out.text += line + "\n";
+                out.parts.back() += line + "\n";
                 continue;
             }
             if (!add("include/" + *included, out, seen)) {
                 std::cerr << "  included from " << name << ":" << lineNumber << "\n";
                 return false;
             }
-            out.text += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
+            out.parts.push_back("#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) +
+                                "\n");
         }
         return true;
     }
@@ -74,7 +75,10 @@ private:
 };
 
 void writeShader(std::ostream& out, const std::string& name, const Flattened& shader) {
-    out << "    {\"" << name << "\", R\"glsl(" << shader.text << ")glsl\", {";
+    out << "    {\"" << name << "\", {";
+    for (const std::string& part : shader.parts)
+        out << "R\"glsl(" << part << ")glsl\", ";
+    out << "}, {";
     for (const std::string& file : shader.files)
         out << "\"" << file << "\", ";
     out << "}},\n";
