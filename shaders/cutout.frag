@@ -53,7 +53,7 @@ void main() {
 #ifdef FLAT
     outColour = colourOfId(vId);
 #else
-    outColour = opaqueColour(colour.rgb, material.luminosity, material.diffuse, painted, instance, keep);
+    outColour = opaqueColour(colour.rgb, painted, instance);
 #endif
     outId = vId;
 }

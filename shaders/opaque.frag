@@ -20,7 +20,7 @@ void main() {
 #else
     Material material = materials[vSurface];
     vec3 albedo = materialColour(material, painted.uv, dx, dy).rgb;
-    outColour = opaqueColour(albedo, material.luminosity, material.diffuse, painted, instance, keep);
+    outColour = opaqueColour(albedo, painted, instance);
 #endif
     outId = vId;
 }

@@ -97,7 +97,7 @@ void addDrawing(CLI::App& command, engine::SessionOptions& options, gpu::Drawing
             },
             fmt::format(
                 "choose the way of drawing; exact: each pixel shows the surface that its ray meets; fast: "
-                "edges may be off by a pixel, and light is computed at corners ({})",
+                "edges may be off by a pixel ({})",
                 usualText))
         ->type_name("exact|fast")
         ->check(oneOf({"exact", "fast"}))

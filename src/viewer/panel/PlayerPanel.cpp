@@ -46,11 +46,12 @@ void drawDay(const dat::SkyDesc& sky, PanelChoice& choice) {
     ImGui::EndCombo();
 }
 
-void drawTime(Ui& ui, PanelChoice& choice) {
+void drawTime(Ui& ui, const dat::GameTime& calendar, PanelChoice& choice) {
     labelled("Time", "Time of day. T advances it by one hour.");
     float hours = static_cast<float>(choice.time * 24.0);
     const int minutes = static_cast<int>(std::lround(choice.time * 24.0 * 60.0)) % (24 * 60);
-    const std::string text = fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
+    const std::string text =
+        fmt::format("{:02}:{:02} {}", minutes / 60, minutes % 60, world::hourName(calendar, choice.time));
     if (ImGui::SliderFloat("##time", &hours, 0.0f, 24.0f, text.c_str()))
         choice.time = std::clamp(static_cast<double>(hours) / 24.0, 0.0, 1.0);
     ui.note("panel time");
@@ -125,7 +126,7 @@ void drawFrameTimes(const TimeWindow& frame) {
 }
 
 void drawPlayerPart(Ui& ui, const PanelFacts& facts, PanelChoice& choice) {
-    drawTime(ui, choice);
+    drawTime(ui, facts.world.sky.time, choice);
     drawDay(facts.world.sky.desc, choice);
     labelled("Weather", "R switches the rain.");
     bool rain = choice.weather == engine::Weather::Rain;
