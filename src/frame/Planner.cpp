@@ -241,9 +241,11 @@ void Planner::addSkyObjects(bool overLand, FramePlan& plan) {
 }
 
 void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
-    if (!seesOutside(set))
+    const bool seesSky = seesOutside(set);
+    if (seesSky || (frame.fillsVoids && plan.visits.size() > 1))
+        plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
+    if (!seesSky)
         return;
-    plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
     world::skyPlacements(world_.sky,
                          {frame.dayGroup, world::timeOfSky(world_.sky, frame.timeOfDay), frame.seconds,
                           frame.view.eye.z, frame.view.root == world::kOutside},
