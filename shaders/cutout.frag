@@ -29,7 +29,7 @@ void main() {
     vec2 dy = dFdy(painted.uv);
 #endif
     Instance instance = drawnInstance();
-    GateResult keep = keepOf(instance);
+    bool keep = isKept(instance);
     Material material = materials[vSurface];
 #ifdef FLAT
     float alpha = 1.0;
@@ -47,7 +47,7 @@ void main() {
         least = kSolidAlpha;
         alpha *= instance.opacity;
     }
-    if (!keep.kept || !isHere || alpha < least) {
+    if (!keep || !isHere || alpha < least) {
         discard;
     }
 #ifdef FLAT

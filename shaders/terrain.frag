@@ -12,8 +12,8 @@ void main() {
     vec2 dx = dFdx(painted.uv);
     vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
-    GateResult keep = keepOf(instance);
-    if (!keep.kept) {
+    bool keep = isKept(instance);
+    if (!keep) {
         discard;
     }
 #ifdef FLAT

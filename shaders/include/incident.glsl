@@ -19,8 +19,8 @@ struct Incident {
 };
 
 vec3 unitOrZero(vec3 v) {
-    float size = length(v);
-    return size > 0.0 ? v / size : vec3(0.0);
+    const float least = 1.0e-24; // of a square: 0 stays 0
+    return v * inversesqrt(max(dot(v, v), least));
 }
 
 vec3 cutToBytes(vec3 colour) {

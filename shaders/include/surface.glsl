@@ -40,16 +40,17 @@ Instance drawnInstance() {
     return instanceAt(vInstance & ~kGated);
 }
 
-// The caller discards when `kept` is false.
-GateResult keepOf(Instance instance) {
+// Whether the fragment is seen; the caller discards others.
+bool isKept(Instance instance) {
     SurfacePoint point;
     if (!findOnPolygon(kindOf(instance), point)) {
-        return GateResult(false, 0u, 0u);
+        return false;
     }
 #ifdef GATED
-    return keepWhereVisited(instance, point, (vInstance & kGated) != 0u);
+    bool isGated = (vInstance & kGated) != 0u;
+    return walkChain(instance, point, isGated) || !isGated; // others are wholly inside one visit
 #else
-    return keepInRoot(instance);
+    return true; // a frame with one visit: everything is seen from the root's zone
 #endif
 }
 
