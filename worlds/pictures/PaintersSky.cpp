@@ -74,8 +74,9 @@ Canvas paintRain() {
     for (std::uint32_t i = 0; i < kStreaks; ++i) {
         const double x = 2.0 + random01(i, 1, 2071) * (kSize - 4.0);
         const double length = 26.0 + 46.0 * random01(i, 2, 2071);
-        const double y = 2.0 + random01(i, 3, 2071) * (kSize - length - 4.0);
-        const auto strength = static_cast<float>(0.25 + 0.6 * random01(i, 4, 2071));
+        const double y = random01(i, 3, 2071) * kSize;
+        const auto strength = static_cast<float>(0.2 + 0.4 * random01(i, 4, 2071));
+        // Strokes continue at the other side: the picture repeats.
         drawStroke(canvas,
                    {Vec2(x, y), Vec2(x, y + length), 0.35, 0.7, Vec4f(0.86f, 0.90f, 0.96f, strength)});
     }
