@@ -24,7 +24,7 @@ constexpr int kRainPerColumn = 2;     ///< periods above each other
 constexpr Vec2 kRainSize{0.012, 0.5}; ///< metres, across and up
 
 /// A drop nearer to the eye than this on the level is a bar across the picture; metres.
-constexpr double kNearestDrop = 0.8;
+constexpr double kNearestDrop = 0.5;
 
 // The Region's weather has emitters at the eye. Here the emitters are on a level grid that is fixed in the
 // world, one in each square, and births are spread evenly over the square. The squares around the eye hold as
