@@ -51,6 +51,7 @@ LIMEN_CONST kUnitInstances = 4; // Instance (static)
 LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
 LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
 LIMEN_CONST kUnitFirstPage = 7;
+LIMEN_CONST kUnitPicture = 0; // of upscale.frag: the drawn picture
 LIMEN_CONST kVertexTexels = 4u; // texels of one record
 LIMEN_CONST kInstanceTexels = 5u;
 LIMEN_CONST kVisitTexels = 2u;

@@ -31,3 +31,5 @@ const uint kVaryingSkyInstance = 1u;
 const uint kVaryingSkyMaterial = 2u;
 
 const uint kVaryingDirection = 0u; // skyplain.vert
+
+const uint kVaryingTexel = 0u; // upscale.vert

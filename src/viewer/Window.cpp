@@ -360,6 +360,15 @@ void Window::switchFullScreen() {
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+double Window::displayRate() const {
+    constexpr double kUsual = 60.0;
+    int x = 0, y = 0;
+    glfwGetWindowPos(window_, &x, &y);
+    GLFWmonitor* monitor = isLost_ ? nullptr : monitorOf(x + sizes_.width / 2, y + sizes_.height / 2);
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    return mode != nullptr && mode->refreshRate > 0 ? mode->refreshRate : kUsual;
+}
+
 void Window::setTitle(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }

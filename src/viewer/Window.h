@@ -66,6 +66,8 @@ public:
     /// Toggles full screen on the window's monitor.
     void switchFullScreen();
     [[nodiscard]] bool isFullScreen() const { return framed_.has_value(); }
+    /// Frames a second of the window's monitor; 60 if it is unknown.
+    [[nodiscard]] double displayRate() const;
     void setTitle(const std::string& title);
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
