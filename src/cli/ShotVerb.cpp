@@ -144,7 +144,8 @@ Result<void> checkViewsFit(const std::vector<ListedView>& views, const ShotOptio
     const std::optional<std::uint64_t> available = engine::availableMemory();
     for (const ListedView& view : views)
         if (Result<void> fits =
-                engine::checkFrameFits(view.view.size, options.session.samples, capabilities, available);
+                engine::checkFrameFits(view.view.size, engine::samplesOn(capabilities, options.session), capabilities,
+                                       available);
             !fits)
             return fits;
     return {};

@@ -203,7 +203,7 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
         return tl::unexpected(headless.error());
     engine::Session& session = *headless->session;
     if (Result<void> fits =
-            engine::checkFrameFits(sizeOf(*request), options.session.samples,
+            engine::checkFrameFits(sizeOf(*request), session.samples(),
                                    headless->device->capabilities(), engine::availableMemory());
         !fits)
         return tl::unexpected(fits.error());

@@ -89,6 +89,8 @@ public:
     [[nodiscard]] gpu::Renderer& renderer() { return pipeline_.renderer(); }
     [[nodiscard]] const gpu::Renderer& renderer() const { return pipeline_.renderer(); }
     [[nodiscard]] const gpu::Capabilities& capabilities() const { return device_.capabilities(); }
+    /// Samples a pixel in frames without ids and layers; 1: no multisampling.
+    [[nodiscard]] std::uint32_t samples() const { return samplesOn(capabilities(), options_); }
     /// Frames drawn so far.
     [[nodiscard]] std::uint64_t frames() const { return frames_; }
     // Results of the last frame. `target` requires a drawn frame.

@@ -14,15 +14,16 @@ namespace limen::viewer {
 namespace {
 
 /// The session options of `shot` that change pictures.
-std::string pictureOptions(const engine::SessionOptions& options) {
+std::string pictureOptions(const engine::Session& session) {
+    const engine::SessionOptions& options = session.options();
     const world::LoadOptions usual;
     std::string text;
     if (options.load.radius != usual.radius)
         text += fmt::format(" --radius {}", options.load.radius);
     if (options.load.detail != usual.detail)
         text += fmt::format(" --detail {}", options.load.detail);
-    if (options.samples > 1)
-        text += fmt::format(" --msaa {}", options.samples);
+    if (session.samples() > 1)
+        text += fmt::format(" --msaa {}", session.samples());
     return text;
 }
 
@@ -185,7 +186,7 @@ Result<std::filesystem::path> WorldView::keepPicture(const std::filesystem::path
 
 std::string WorldView::commandOf(const engine::FrameRequest& request) const {
     return engine::reproduction(session_->part().world, request, session_->source().datOption) +
-           pictureOptions(session_->options());
+           pictureOptions(*session_);
 }
 
 void WorldView::freeze() {

@@ -6,7 +6,6 @@
 namespace limen::gpu {
 namespace {
 
-constexpr GLuint kWindow = 0; // the framebuffer of the window
 constexpr GLenum kFirstColour = GL_COLOR_ATTACHMENT0;
 constexpr GLsizei kCorners = 3;
 
@@ -39,22 +38,23 @@ bool WindowPicture::canEnlarge() {
     return true;
 }
 
-void WindowPicture::copy(const Source& source, std::uint32_t width, std::uint32_t height) const {
-    const bool isScaled = width != source.width || height != source.height;
+void WindowPicture::copy(const Source& source, const Window& window) {
+    const bool isScaled = window.width != source.width || window.height != source.height;
     glNamedFramebufferReadBuffer(source.framebuffer, kFirstColour);
-    glBlitNamedFramebuffer(source.framebuffer, kWindow, 0, 0, windowSize(source.width),
-                           windowSize(source.height), 0, 0, windowSize(width), windowSize(height),
-                           GL_COLOR_BUFFER_BIT, isScaled ? GL_LINEAR : GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, kWindow);
+    glBlitNamedFramebuffer(source.framebuffer, window.framebuffer, 0, 0, windowSize(source.width),
+                           windowSize(source.height), 0, 0, windowSize(window.width),
+                           windowSize(window.height), GL_COLOR_BUFFER_BIT,
+                           isScaled ? GL_LINEAR : GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, window.framebuffer);
 }
 
-void WindowPicture::show(const Source& source, std::uint32_t width, std::uint32_t height) {
-    if ((width <= source.width && height <= source.height) || !canEnlarge()) {
-        copy(source, width, height);
+void WindowPicture::show(const Source& source, const Window& window) {
+    if ((window.width <= source.width && window.height <= source.height) || !canEnlarge()) {
+        copy(source, window);
         return;
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, kWindow);
-    glViewport(0, 0, windowSize(width), windowSize(height));
+    glBindFramebuffer(GL_FRAMEBUFFER, window.framebuffer);
+    glViewport(0, 0, windowSize(window.width), windowSize(window.height));
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glBindTextureUnit(frame::gpu::kUnitPicture, source.texture);

@@ -4,7 +4,7 @@
 
 namespace limen::gpu {
 
-/// A drawn picture on its way to the window. Of the window's size it is copied, else enlarged by
+/// Shows a drawn picture. A picture of the window's size is copied; a smaller one is enlarged by
 /// shaders/upscale.frag, which keeps edges.
 class WindowPicture {
 public:
@@ -13,13 +13,17 @@ public:
         GLuint framebuffer = 0, texture = 0;
         std::uint32_t width = 0, height = 0;
     };
-    /// Draws into the window's framebuffer, `width` x `height` pixels, and leaves it bound. Changes the program
-    /// and the texture of kUnitPicture. The first enlargement builds the program; if the driver cannot, the
-    /// driver's own filter enlarges.
-    void show(const Source& source, std::uint32_t width, std::uint32_t height);
+    /// The framebuffer that is shown (0: the window's), and its size.
+    struct Window {
+        GLuint framebuffer = 0;
+        std::uint32_t width = 0, height = 0;
+    };
+    /// Draws into the window, and leaves its framebuffer bound. Changes other GL state, too. The first
+    /// enlargement builds the program; if the driver cannot, the driver's own filter enlarges.
+    void show(const Source& source, const Window& window);
 
 private:
-    void copy(const Source& source, std::uint32_t width, std::uint32_t height) const;
+    static void copy(const Source& source, const Window& window);
     [[nodiscard]] bool canEnlarge();
 
     Program program_;

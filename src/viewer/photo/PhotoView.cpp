@@ -31,7 +31,7 @@ PhotoFacts PhotoView::facts(const std::string& takeKeys) const {
                      .picture = mode_.sizeIn(window_),
                      .dayGroups = {},
                      .hasBody = mode_.picture(window_).scene.body.has_value(),
-                     .samples = session_.options().samples,
+                     .samples = session_.samples(),
                      .progress = taker_.progress(),
                      .isBusy = taker_.isBusy(),
                      .saved = saved_,

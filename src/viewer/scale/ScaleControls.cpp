@@ -8,7 +8,7 @@
 namespace limen::viewer {
 namespace {
 
-constexpr std::array<double, 11> kRates{15, 20, 25, 30, 40, 50, 60, 75, 90, 120, 144};
+constexpr std::array<double, 13> kRates{5, 10, 15, 20, 25, 30, 40, 50, 60, 75, 90, 120, 144};
 
 std::string percentText(std::uint32_t percent) {
     return fmt::format("{} %", percent);
