@@ -23,7 +23,7 @@ struct Quality {
 };
 
 inline constexpr std::array kQualities{
-    Quality{"low", 2, 6, 0.5, 1, 1.0f, 50, 60}, Quality{"medium", 3, 9, 0.75, 1, 2.0f, 50, 80},
+    Quality{"low", 1, 6, 0.5, 1, 1.0f, 50, 60}, Quality{"medium", 2, 9, 0.75, 1, 2.0f, 50, 80},
     Quality{"high", 4, 12, 1.0, 1, 4.0f, 50, 100}, Quality{"ultra", 6, 16, 2.0, 4, 16.0f, 75, 100}};
 
 /// The index in kQualities of the level with this name.

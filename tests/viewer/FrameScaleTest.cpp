@@ -97,6 +97,19 @@ TEST(FrameScale, aSingleLongFrameChangesNothing) {
     EXPECT_EQ(scale.percent(), 100u);
 }
 
+TEST(FrameScale, timesOfFramesBeforeTheChangeAreLeftOut) {
+    FrameScale scale;
+    const ScaleGoal goal{.settling = 4};
+    while (scale.percent() == 100)
+        scale.next({50.0, 3.0}, goal);
+    const std::uint32_t lowered = scale.percent();
+    ASSERT_GT(lowered, 60u);
+    for (int i = 0; i < 4; ++i) // timers still report frames of full size
+        EXPECT_EQ(scale.next({50.0, 3.0}, goal), lowered);
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(scale.next({26.0, 3.0}, goal), lowered);
+}
+
 TEST(FrameScale, aTightGoalLowersItAndALooseOneBringsFullSizeBack) {
     FrameScale scale;
     Machine machine{.fixed = 2, .pixels = 60, .other = 3};

@@ -40,18 +40,18 @@ class ViewScale(WindowTest):
             view.page(page)
 
     def test_a_tight_rate_lowers_the_scale_and_a_loose_one_brings_full_size_back(self):
-        with Followed(self, "--at", "cottage.cellar", "--fps", "1000", size="320x180") as view:
+        with Followed(self, "--at", "cottage.cellar", "--fps", "1000", size="640x480") as view:
             view.press("F4")
             view.until(lambda s: s["overlays"]["panel"], "the panel")
             small = view.until(lambda s: s["scale"]["percent"] == 50, "the least scale")
-            self.assertEqual(small["scale"]["drawn"], [160, 90])
-            self.assertEqual(small["size"], [320, 180])
+            self.assertEqual(small["scale"]["drawn"], [320, 240])
+            self.assertEqual(small["size"], [640, 480])
             self.assertTrue(small["scale"]["automatic"])
             before = self.panel(view)
             self.assertIn("panel scale", before)
             self.rate(view, "5 a second")
             large = view.until(lambda s: s["scale"]["percent"] == 100, "full size")
-            self.assertEqual(large["scale"]["drawn"], [320, 180])
+            self.assertEqual(large["scale"]["drawn"], [640, 480])
             self.assertEqual(large["scale"]["frame_rate"], 5)
             self.assertEqual(self.panel(view), before)
             self.assertEqual(view.leave()[0], 0)
@@ -102,8 +102,8 @@ class ViewScale(WindowTest):
         self.assertEqual(kept[:2], (480, 270))
         with open(self.path("pictures", "limen-0001.txt")) as file:
             command = file.read().split()
-        subprocess.run([PROGRAM, *command[command.index("shot"):], "-o", "again.png"], env=self.env, cwd=self.work.name, check=True, timeout=240)
-        again = png_pixels(self.path("again.png"))
+        subprocess.run([PROGRAM, *command[command.index("shot"):]], env=self.env, cwd=self.work.name, check=True, timeout=240)
+        again = png_pixels(self.path("limen-0001-again.png"))
         differing = sum(kept[2][i:i + 3] != again[2][i:i + 3] for i in range(0, len(kept[2]), 3))
         self.assertLessEqual(differing, 0.01 * 480 * 270)  # the text rounds the eye; an enlarged picture differs nearly everywhere
 
