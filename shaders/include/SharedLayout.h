@@ -52,6 +52,9 @@ LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
 LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
 LIMEN_CONST kUnitFirstPage = 7;
 LIMEN_CONST kUnitPicture = 0; // of upscale.frag: the drawn picture
+// The target's images, in place of arrays that the fast way of drawing does not read.
+LIMEN_CONST kUnitColour = kUnitVertices;
+LIMEN_CONST kUnitId = kUnitPieces;
 LIMEN_CONST kVertexTexels = 4u; // texels of one record
 LIMEN_CONST kInstanceTexels = 5u;
 LIMEN_CONST kVisitTexels = 2u;
