@@ -16,7 +16,8 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
             [&options](const std::string& text) {
                 engine::applyQuality(*engine::qualityNamed(text), options);
             },
-            "set --radius, --far and --detail together; with a graphics card also --msaa and anisotropic filtering, "
+            "set --radius, --far and --detail together; with a graphics card also --msaa and anisotropic "
+            "filtering, "
             "in the window also the limits of --scale auto (none)")
         ->type_name("low|medium|high|ultra")
         ->check(oneOf({"low", "medium", "high", "ultra"}))

@@ -280,14 +280,16 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "scale letters and controls by this factor, on top of the screen's scale (1)")
         ->type_name("F")
         ->group("View");
-    verb->add_option("--scale", options->scale,
-                     "draw the 3-D picture with this percentage of the window's pixels each way; auto: as many as "
-                     "keep the frame rate (auto; 100 with --frames)")
+    verb->add_option(
+            "--scale", options->scale,
+            "draw the 3-D picture with this percentage of the window's pixels each way; auto: as many as "
+            "keep the frame rate (auto; 100 with --frames)")
         ->type_name("auto|50..100")
         ->group("View");
-    verb->add_option("--fps", options->frameRate,
-                     "set the frames a second that --scale auto keeps (30 without a graphics card, else those of the "
-                     "display)")
+    verb->add_option(
+            "--fps", options->frameRate,
+            "set the frames a second that --scale auto keeps (30 without a graphics card, else those of the "
+            "display)")
         ->type_name("N")
         ->group("View");
     verb->add_flag("--json", options->json, "print the final state (eye, root, overlays, ...) as JSON")

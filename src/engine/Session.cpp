@@ -138,9 +138,8 @@ Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions&
         return &*target;
     shown_ = nullptr;
     target.reset(); // frees its memory before the new target is made
-    Result<gpu::RenderTarget> made =
-        gpu::RenderTarget::create(drawnOn(), size.width, size.height,
-                                  {.layers = layers, .samples = multisampled ? samples() : 0});
+    Result<gpu::RenderTarget> made = gpu::RenderTarget::create(
+        drawnOn(), size.width, size.height, {.layers = layers, .samples = multisampled ? samples() : 0});
     if (!made)
         return tl::unexpected(made.error());
     target.emplace(std::move(*made));
@@ -177,8 +176,7 @@ Result<void> Session::draw(const FrameRequest& request, const DrawOptions& optio
 }
 
 Result<gpu::RenderTarget> Session::makeTile(std::uint32_t width, std::uint32_t height) {
-    return gpu::RenderTarget::create(drawnOn(), width, height,
-                                     {.samples = samples() > 1 ? samples() : 0});
+    return gpu::RenderTarget::create(drawnOn(), width, height, {.samples = samples() > 1 ? samples() : 0});
 }
 
 Result<void> Session::drawTile(const FrameRequest& request, gpu::RenderTarget& tile) {

@@ -20,11 +20,13 @@ const char* nameOf(Culling culling) {
 
 DriverChoice rasteriserOf(const DriverChoices& choices) {
     return {"rasteriser", choices.software ? "software" : "graphics card",
-            choices.software ? "the driver draws on the processor" : "the driver names no software rasteriser"};
+            choices.software ? "the driver draws on the processor"
+                             : "the driver names no software rasteriser"};
 }
 
 DriverChoice drawingOf(const DriverChoices& choices) {
-    return {"drawing", choices.drawing == Drawing::Fast ? "fast" : "exact", "as the options say, on every driver"};
+    return {"drawing", choices.drawing == Drawing::Fast ? "fast" : "exact",
+            "as the options say, on every driver"};
 }
 
 DriverChoice texturesOf(const DriverChoices& choices) {
@@ -35,9 +37,10 @@ DriverChoice texturesOf(const DriverChoices& choices) {
 
 DriverChoice pagesOf(const DriverChoices& choices) {
     return {"pages_by_index", choices.pagesByIndex ? "on" : "off",
-            choices.pagesByIndex ? "a software rasteriser shades one triangle at a time, and would sample every page"
-            : choices.bindless   ? "textures have handles"
-                                 : "a card needs constant indices"};
+            choices.pagesByIndex
+                ? "a software rasteriser shades one triangle at a time, and would sample every page"
+            : choices.bindless ? "textures have handles"
+                               : "a card needs constant indices"};
 }
 
 DriverChoice terrainOf(const DriverChoices& choices) {
@@ -98,8 +101,8 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
 }
 
 std::vector<DriverChoice> describe(const DriverChoices& choices) {
-    return {rasteriserOf(choices), drawingOf(choices),    texturesOf(choices), pagesOf(choices),
-            terrainOf(choices),    levelsOf(choices),     anisotropyOf(choices), samplesOf(choices),
+    return {rasteriserOf(choices), drawingOf(choices), texturesOf(choices),   pagesOf(choices),
+            terrainOf(choices),    levelsOf(choices),  anisotropyOf(choices), samplesOf(choices),
             commandsOf(choices),   cullingOf(choices)};
 }
 

@@ -13,13 +13,13 @@ namespace limen::gpu {
 struct DriverChoices {
     bool software = false; ///< the driver rasterises on the processor
     Drawing drawing = Drawing::Exact;
-    bool bindless = false;     ///< textures by handle
-    bool pagesByIndex = false; ///< TextureStoreOptions::pagesByIndex
-    bool packsTerrain = false; ///< layers of landcells in 16 bytes each
-    bool nearestLevel = false; ///< one mip level a sample
-    float anisotropy = 1.0f;   ///< limit; 1: off
-    std::uint32_t samples = 1; ///< per pixel, in frames without ids
-    bool computes = false;     ///< a compute pass writes the draw commands; else the processor does
+    bool bindless = false;           ///< textures by handle
+    bool pagesByIndex = false;       ///< TextureStoreOptions::pagesByIndex
+    bool packsTerrain = false;       ///< layers of landcells in 16 bytes each
+    bool nearestLevel = false;       ///< one mip level a sample
+    float anisotropy = 1.0f;         ///< limit; 1: off
+    std::uint32_t samples = 1;       ///< per pixel, in frames without ids
+    bool computes = false;           ///< a compute pass writes the draw commands; else the processor does
     Culling culling = Culling::None; ///< triangles that compute passes skip
 };
 

@@ -53,8 +53,9 @@ WorldView::WorldView(gpu::GlDevice& device, OpenedWorld opened)
       play_(*session_, std::move(opened.start), &stream_) {}
 
 bool WorldView::needsFrame(const WorldInput& input) const {
-    return !input.isPaused || frames_ == 0 || input.percent != percent_ || !acts_.empty() || input.size != request().size || wantsCheck_ ||
-           !play_.goingTo().empty() || stream_.streamer().phase() != engine::Streamer::Phase::Idle;
+    return !input.isPaused || frames_ == 0 || input.percent != percent_ || !acts_.empty() ||
+           input.size != request().size || wantsCheck_ || !play_.goingTo().empty() ||
+           stream_.streamer().phase() != engine::Streamer::Phase::Idle;
 }
 
 Result<void> WorldView::frame(const WorldInput& input) {

@@ -22,8 +22,8 @@ namespace limen::viewer {
 /// The window's input to a world for one frame.
 struct WorldInput {
     HeldInput held;
-    engine::PixelSize size;    ///< of the window
-    std::uint32_t percent = 100; ///< of the window's pixels each way that are drawn
+    engine::PixelSize size;            ///< of the window
+    std::uint32_t percent = 100;       ///< of the window's pixels each way that are drawn
     std::optional<PixelPlace> clicked; ///< inspects the object there
     double seconds = 0.0;              ///< of the world, since the last frame
     double now = 0.0;                  ///< as Window::seconds
@@ -51,7 +51,8 @@ public:
     void present();
     /// Draws outlines, door hint and panel over the frame, and takes the panel's choices. Yields a choice of scale, which
     /// belongs to the window.
-    std::optional<ScaleWish> drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& bindings, const ScaleFacts& scale);
+    std::optional<ScaleWish> drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& bindings,
+                                         const ScaleFacts& scale);
 
     /// Saves the frame without overlays, and the command that draws it again. Returns the absolute path.
     [[nodiscard]] Result<std::filesystem::path> keepPicture(const std::filesystem::path& directory);

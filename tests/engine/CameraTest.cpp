@@ -100,7 +100,8 @@ TEST(Camera, aScaledRequestHasTheSameViewToTheBit) {
         EXPECT_EQ(tracedCamera(scaled).width, scaled.size.width);
     }
     scaleRequest(scaled, 50, scaled); // scaled twice, it keeps the first shape
-    EXPECT_EQ(viewOf(scaled.camera, scaled.size, 0).tanHalfX, viewOf(request.camera, request.size, 0).tanHalfX);
+    EXPECT_EQ(viewOf(scaled.camera, scaled.size, 0).tanHalfX,
+              viewOf(request.camera, request.size, 0).tanHalfX);
 }
 
 TEST(FlyCamera, staysWithinItsLimits) {

@@ -35,7 +35,8 @@ std::string valueOf(const DriverChoices& choices, std::string_view name) {
 }
 
 TEST(DriverChoices, aCardFiltersAndASoftwareRasteriserDoesNot) {
-    const DriverChoices with = driverChoices(fast(), card(), 4), without = driverChoices(fast(), software(), 1);
+    const DriverChoices with = driverChoices(fast(), card(), 4),
+                        without = driverChoices(fast(), software(), 1);
     EXPECT_EQ(with.anisotropy, 4.0f);
     EXPECT_FALSE(with.nearestLevel);
     EXPECT_EQ(with.samples, 4u);
@@ -73,9 +74,9 @@ TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
         EXPECT_FALSE(choice.value.empty());
         EXPECT_FALSE(std::string(choice.reason).empty());
     }
-    const std::set<std::string> expected{"rasteriser", "drawing",       "textures",      "pages_by_index",
-                                         "packed_landcells", "mip_levels", "anisotropy", "multisampling",
-                                         "draw_commands", "triangle_culling"};
+    const std::set<std::string> expected{
+        "rasteriser", "drawing",    "textures",      "pages_by_index", "packed_landcells",
+        "mip_levels", "anisotropy", "multisampling", "draw_commands",  "triangle_culling"};
     EXPECT_EQ(names, expected);
 }
 

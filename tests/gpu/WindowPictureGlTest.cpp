@@ -95,7 +95,8 @@ TEST_F(WindowPictureGlTest, oneColourStaysOneColour) {
 TEST_F(WindowPictureGlTest, keepsCornersInTheirPlaces) {
     const Canvas from(8, 4), to(16, 8);
     const std::array<Rgb, 4> colours{Rgb{255, 0, 0}, Rgb{0, 255, 0}, Rgb{0, 0, 255}, Rgb{255, 255, 255}};
-    from.paint([&](std::uint32_t x, std::uint32_t y) { return colours[(y >= 2 ? 2 : 0) + (x >= 4 ? 1 : 0)]; });
+    from.paint(
+        [&](std::uint32_t x, std::uint32_t y) { return colours[(y >= 2 ? 2 : 0) + (x >= 4 ? 1 : 0)]; });
     show(from, to);
     EXPECT_EQ(to.at(0, 0), colours[0]);
     EXPECT_EQ(to.at(15, 0), colours[1]);
@@ -115,9 +116,8 @@ TEST_F(WindowPictureGlTest, anUprightEdgeIsOneTexelWideAtMost) {
 TEST_F(WindowPictureGlTest, anEdgeAlongADiagonalIsNarrowerThanTheDriversFilterMakesIt) {
     for (const bool isRising : {false, true}) {
         const Canvas from(20, 20), to(40, 40), linear(40, 40);
-        from.paint([&](std::uint32_t x, std::uint32_t y) {
-            return (isRising ? x > y : x + y > 19) ? kRed : kBlue;
-        });
+        from.paint(
+            [&](std::uint32_t x, std::uint32_t y) { return (isRising ? x > y : x + y > 19) ? kRed : kBlue; });
         show(from, to);
         glBlitNamedFramebuffer(from.framebuffer.id(), linear.framebuffer.id(), 0, 0, 20, 20, 0, 0, 40, 40,
                                GL_COLOR_BUFFER_BIT, GL_LINEAR);

@@ -21,8 +21,8 @@ struct StageFigures {
 /// Figures of the last frame.
 struct FrameFigures {
     std::string driver;
-    std::string drawing;  ///< way of drawing: "exact", "fast" or "traced"
-    std::string textures; ///< "bindless" or "array pages"
+    std::string drawing;                       ///< way of drawing: "exact", "fast" or "traced"
+    std::string textures;                      ///< "bindless" or "array pages"
     std::optional<gpu::DriverChoices> choices; ///< none: no driver drew
     std::vector<StageFigures> stages;
     std::uint32_t glCalls = 0;

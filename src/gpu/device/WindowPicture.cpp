@@ -43,8 +43,7 @@ void WindowPicture::copy(const Source& source, const Window& window) {
     glNamedFramebufferReadBuffer(source.framebuffer, kFirstColour);
     glBlitNamedFramebuffer(source.framebuffer, window.framebuffer, 0, 0, windowSize(source.width),
                            windowSize(source.height), 0, 0, windowSize(window.width),
-                           windowSize(window.height), GL_COLOR_BUFFER_BIT,
-                           isScaled ? GL_LINEAR : GL_NEAREST);
+                           windowSize(window.height), GL_COLOR_BUFFER_BIT, isScaled ? GL_LINEAR : GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, window.framebuffer);
 }
 

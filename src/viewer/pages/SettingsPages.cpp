@@ -114,12 +114,14 @@ PageChoice drawGraphics(Ui& ui, const PagesFacts& facts) {
     Settings settings = facts.settings;
     beginPage(factsOf(Page::Graphics).title);
     beginSettings("graphics");
-    beginSetting("Quality", "Size of the loaded part of the world, sampling, and limits of the automatic scale. All levels draw the same "
+    beginSetting("Quality", "Size of the loaded part of the world, sampling, and limits of the automatic "
+                            "scale. All levels draw the same "
                             "surfaces; they differ in distance and smoothness.");
     chooseQuality(ui, settings);
     ScaleWish scale = facts.scale.wish;
-    beginSetting("Scale", "Size of the 3-D picture before it is enlarged to the window. Letters and controls always "
-                          "have full size.");
+    beginSetting("Scale",
+                 "Size of the 3-D picture before it is enlarged to the window. Letters and controls always "
+                 "have full size.");
     chooseScale(ui, "scale", facts.scale, scale);
     beginSetting("Frame rate", "The automatic scale makes the 3-D picture smaller to keep this rate.");
     chooseFrameRate(ui, "frame rate", facts.scale, scale);

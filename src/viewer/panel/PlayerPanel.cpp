@@ -135,8 +135,9 @@ void drawPlayerPart(Ui& ui, const PanelFacts& facts, PanelChoice& choice) {
     drawDoors(ui, choice);
     drawPlaceList(ui, facts.places, choice);
     drawQuality(ui, choice);
-    labelled("Scale", "Size of the 3-D picture before it is enlarged to the window. The automatic scale keeps the "
-                      "frame rate.");
+    labelled("Scale",
+             "Size of the 3-D picture before it is enlarged to the window. The automatic scale keeps the "
+             "frame rate.");
     chooseScale(ui, "panel scale", facts.scale, choice.scale);
     ImGui::Spacing();
     drawFrameTimes(facts.times.frame);

@@ -90,8 +90,8 @@ void FrameScale::lower(const ScaleGoal& goal) {
 void FrameScale::rise(const ScaleGoal& goal) {
     if (percent_ >= goal.bounds.most)
         return;
-    const std::uint32_t found = largestWithin(kRiseBelow * goal.frameMs, median(kKept), percent_,
-                                              percent_, goal.bounds.most);
+    const std::uint32_t found =
+        largestWithin(kRiseBelow * goal.frameMs, median(kKept), percent_, percent_, goal.bounds.most);
     if (found == percent_)
         return;
     change(found);
