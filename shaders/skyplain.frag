@@ -20,46 +20,57 @@ layout(binding = kUnitColour) uniform sampler2D drawnColour;
 layout(binding = kUnitId) uniform usampler2D drawnIds;
 #endif
 
-const ivec2 kAround[8] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1), ivec2(-1, -1), ivec2(1, -1),
+const int kNeighbours = 8;
+const ivec2 kAround[kNeighbours] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1), ivec2(-1, -1), ivec2(1, -1),
                                  ivec2(-1, 1), ivec2(1, 1));
 
-// This draw writes no pixel with a depth, so neighbours with one can be read.
-void fillVoid() {
-    ivec2 here = ivec2(gl_FragCoord.xy);
+// Fills from a neighbour that has a surface, unless `hasSky`. False if there is none. This draw writes no pixel with a
+// depth, so such a neighbour can be read. The loop has no turn for a pixel of the sky: drivers that execute every branch
+// for all pixels still leave a loop early.
+bool fillVoid(bool hasSky) {
     ivec2 last = textureSize(drawnDepth, 0) - 1;
-    for (int i = 0; i < 8; ++i) {
-        ivec2 at = clamp(here + kAround[i], ivec2(0), last);
+    int i = hasSky ? kNeighbours : 0;
+    bool isFilled = false;
+    while (i < kNeighbours) {
+        ivec2 at = clamp(ivec2(gl_FragCoord.xy) + kAround[i], ivec2(0), last);
+        ++i;
         if (texelFetch(drawnDepth, at, 0).r > 0.0) {
             outColour = texelFetch(drawnColour, at, 0);
 #ifdef WITH_ID
             outId = texelFetch(drawnIds, at, 0).r;
 #endif
-            return;
+            isFilled = true;
+            i = kNeighbours;
         }
     }
-    discard;
+    return isFilled;
 }
 #endif
 
-void main() {
-#ifdef FILLS_VOIDS
-    if (!keepOutside()) {
-        fillVoid();
-        return;
-    }
-#elif !defined(FAST) || defined(GATED)
-    if (!keepOutside()) {
-        discard;
-    }
-#endif
+vec4 skyColour() {
 #ifdef FLAT
-    outColour = colourOfId(kSkyId);
+    return colourOfId(kSkyId);
 #else
     // The square root lowers the zenith's colour: haze is thick only near the horizon.
     float height = sqrt(clamp(normalize(vDirection).z, 0.0, 1.0));
-    outColour = vec4(mix(frame.fogColour.rgb, frame.skyZenith.rgb, height), 1.0);
+    return vec4(mix(frame.fogColour.rgb, frame.skyZenith.rgb, height), 1.0);
 #endif
+}
+
+void main() {
+    outColour = skyColour();
 #ifdef WITH_ID
     outId = kSkyId;
+#endif
+#if defined(FAST) && !defined(GATED)
+    return;
+#else
+    bool hasSky = keepOutside();
+#ifdef FILLS_VOIDS
+    hasSky = fillVoid(hasSky) || hasSky;
+#endif
+    if (!hasSky) {
+        discard;
+    }
 #endif
 }
