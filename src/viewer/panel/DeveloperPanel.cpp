@@ -240,10 +240,10 @@ void drawDriver(Ui& ui, const PanelFacts& facts) {
         std::string name = choice.name;
         std::replace(name.begin(), name.end(), '_', ' ');
         ImGui::TableNextColumn();
-        uiText(name);
+        line(name);
         uiHint(choice.reason);
         ImGui::TableNextColumn();
-        uiText(choice.value);
+        line(choice.value);
         uiHint(choice.reason);
     }
     ImGui::EndTable();
