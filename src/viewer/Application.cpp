@@ -43,7 +43,8 @@ Result<void> Application::frame() {
         present();
     else
         overlay_.clear();
-    drawOverlay();
+    if (!window_.isLost()) // GLFW reports arbitrary sizes of a lost window
+        drawOverlay();
     return {};
 }
 
