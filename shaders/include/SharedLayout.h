@@ -51,6 +51,7 @@ LIMEN_CONST kUnitInstances = 4; // Instance (static)
 LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
 LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
 LIMEN_CONST kUnitFirstPage = 7;
+LIMEN_CONST kUnitPicture = 0; // of upscale.frag: the drawn picture
 // The target's images, in place of arrays that the fast way of drawing does not read.
 LIMEN_CONST kUnitColour = kUnitVertices;
 LIMEN_CONST kUnitId = kUnitPieces;

@@ -32,3 +32,5 @@ const uint kVaryingSkyMaterial = 2u;
 const uint kVaryingSkyLight = 3u;
 
 const uint kVaryingDirection = 0u; // skyplain.vert
+
+const uint kVaryingTexel = 0u; // upscale.vert

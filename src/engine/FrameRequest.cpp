@@ -172,6 +172,13 @@ Result<FrameRequest> frameRequest(const world::World& world, const world::WorldF
     return frame;
 }
 
+void scaleRequest(const FrameRequest& request, std::uint32_t percent, FrameRequest& out) {
+    out = request;
+    out.size = scaledSize(request.size, percent);
+    if (request.camera.shape.width == 0)
+        out.camera.shape = request.size;
+}
+
 FrameInputs frameInputs(const world::World& world, const FrameRequest& request, const FrameOutputs& outputs) {
     LIMEN_ASSERT(request.size.width > 0 && request.size.height > 0, "a picture has pixels");
     LIMEN_ASSERT(request.root < world.spaces.size(), "the root is a space of this world");

@@ -1,5 +1,6 @@
 #include "engine/DayGroup.h"
 #include "viewer/panel/PanelParts.h"
+#include "viewer/scale/ScaleControls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ void labelled(const char* label, const char* hint) {
 }
 
 void drawQuality(Ui& ui, PanelChoice& choice) {
-    labelled("Quality", "Size of the loaded part of the world, and sampling.");
+    labelled("Quality", "Size of the loaded part of the world, sampling, and limits of the automatic scale.");
     const char* name = choice.quality ? engine::kQualities[*choice.quality].name : "custom";
     const bool isOpen = ImGui::BeginCombo("##quality", name);
     ui.note("panel quality");
@@ -135,8 +136,13 @@ void drawPlayerPart(Ui& ui, const PanelFacts& facts, PanelChoice& choice) {
     drawDoors(ui, choice);
     drawPlaceList(ui, facts.places, choice);
     drawQuality(ui, choice);
+    labelled("Scale",
+             "Size of the 3-D picture before it is enlarged to the window. The automatic scale keeps the "
+             "frame rate.");
+    chooseScale(ui, "panel scale", facts.scale, choice.scale);
     ImGui::Spacing();
     drawFrameTimes(facts.times.frame);
+    uiNote(scaleText(facts.scale, facts.request.size));
 }
 
 PanelChoice drawPanel(Ui& ui, const PanelFacts& facts, PanelChoice choice) {
