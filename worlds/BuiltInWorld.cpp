@@ -15,7 +15,7 @@ WorldRecords buildBuiltInWorld(Pictures pictures) {
     const Plants plants = pictures == Pictures::Painted
                               ? addPlants(writer, paintMaterial, 128)
                               : addPlants(
-                                    writer, [](Material) { return blankPicture(); }, 4);
+                                    writer, [](Material) { return blankPicture(); }, 32);
     addRegion(writer, plants);
     const VillageMap map = addVillage(writer, plants);
     const DungeonMap dungeons = addDungeonBlocks(writer, map.furniture, plants);

@@ -91,7 +91,7 @@ TEST(Surfaces, nothingLiesInAnOpening) {
 bool isFoliage(dat::RecordId surface) {
     const std::set<dat::RecordId> foliage{surfaceId(Material::Leaves), surfaceId(Material::BirchLeaves),
                                           surfaceId(Material::PineBranch), surfaceId(Material::GrassTuft),
-                                          surfaceId(Material::Flowers)};
+                                          surfaceId(Material::Flowers), surfaceId(Material::FarPlants)};
     return foliage.count(surface) != 0;
 }
 

@@ -153,7 +153,9 @@ PlantPictures::Card cardAround(const FaceMesh& mesh, double turn, int field) {
 } // namespace
 
 PlantPictures::PlantPictures(PictureOf pictureOf, int field)
-    : paint_(std::move(pictureOf)), field_(field), canvas_(kColumns * field, kRows * field) {}
+    : paint_(std::move(pictureOf)), field_(field), canvas_(kColumns * field, kRows * field) {
+    LIMEN_ASSERT(field >= 4.0 * kBorder, "a field is larger than its border");
+}
 
 const Canvas& PlantPictures::pictureOf(Material material) {
     for (const auto& [known, canvas] : painted_)

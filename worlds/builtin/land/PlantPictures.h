@@ -15,7 +15,7 @@ class PlantPictures {
 public:
     static constexpr int kColumns = 4, kRows = 4;
 
-    /// `field`: texels across a field; a multiple of 4.
+    /// `field`: texels across a field; at least 8, a multiple of 4.
     PlantPictures(PictureOf pictureOf, int field);
 
     /// A rectangle in space that shows a field: upright, around `axis`. Its front looks along `facing`, a level unit

@@ -12,7 +12,7 @@ struct Plants {
     dat::RecordId rock = 0, boulder = 0;
 };
 /// Sets the picture of Material::FarPlants, too. `pictureOf`: the pictures that the plants are drawn with; `field`: texels
-/// across the picture of one plant, a multiple of 4. Requires: addMaterials.
+/// across the picture of one plant, at least 8, a multiple of 4. Requires: addMaterials.
 [[nodiscard]] Plants addPlants(ModelWriter& writer, const PictureOf& pictureOf, int field);
 
 } // namespace limen::worlds
