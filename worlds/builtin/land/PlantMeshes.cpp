@@ -223,7 +223,7 @@ FaceMesh stumpMesh(int sides) {
     return mesh;
 }
 
-FaceMesh stoneMesh(const Vec3& size, std::uint32_t seed, const StoneSteps& steps) {
+FaceMesh stoneMesh(const Vec3& size, std::uint32_t seed, int step) {
     constexpr int kAround = 8;
     constexpr int kRings = 4;
     const auto at = [&](int ring, int k) {
@@ -237,9 +237,9 @@ FaceMesh stoneMesh(const Vec3& size, std::uint32_t seed, const StoneSteps& steps
                Vec3(0, 0, size.z * 0.45);
     };
     FaceMesh mesh;
-    for (int ring = 0; ring < kRings; ring += steps.down) {
-        for (int k = 0; k < kAround; k += steps.around) {
-            const int lower = ring + steps.down, next = k + steps.around;
+    for (int ring = 0; ring < kRings; ++ring) {
+        for (int k = 0; k < kAround; k += step) {
+            const int lower = ring + 1, next = k + step;
             if (ring > 0)
                 mesh.polygon({at(ring, k), at(lower, k), at(ring, next)}, Material::Rock);
             if (lower < kRings)

@@ -50,11 +50,8 @@ struct PineTree {
 [[nodiscard]] FaceMesh fernMesh(int fronds, double half);
 [[nodiscard]] FaceMesh stumpMesh(int sides);
 
-/// The number of corners of a stone that is left out between two corners, plus one: around it and from top to bottom.
-struct StoneSteps {
-    int around = 1, down = 1; ///< divisors of 8 and of 4
-};
-/// A rough stone: a sphere of a few flat faces with random radii.
-[[nodiscard]] FaceMesh stoneMesh(const Vec3& size, std::uint32_t seed, const StoneSteps& steps = {});
+/// A rough stone: a sphere of a few flat faces with random radii. `step`: a divisor of 8; only each `step`-th corner of a
+/// ring is used.
+[[nodiscard]] FaceMesh stoneMesh(const Vec3& size, std::uint32_t seed, int step = 1);
 
 } // namespace limen::worlds

@@ -144,12 +144,8 @@ void addUndergrowth(PlantWriter& writer, PlantPictures& pictures, Plants& p) {
 
 void addStones(PlantWriter& writer, Plants& p) {
     const Vec3 rock(0.55, 0.42, 0.36), boulder(1.5, 1.2, 1.1);
-    p.rock =
-        writer.add(stoneMesh(rock, 3041), true, 20.0,
-                   {{stoneMesh(rock, 3041, {2, 1}), 60.0}, {stoneMesh(rock * 1.1, 3041, {2, 2}), 300.0}, {}});
-    p.boulder =
-        writer.add(stoneMesh(boulder, 3043), true, 60.0,
-                   {{stoneMesh(boulder, 3043, {2, 1}), 200.0}, {stoneMesh(boulder * 1.1, 3043, {2, 2})}});
+    p.rock = writer.add(stoneMesh(rock, 3041), true, 20.0, {{stoneMesh(rock, 3041, 2), 300.0}, {}});
+    p.boulder = writer.add(stoneMesh(boulder, 3043), true, 60.0, {{stoneMesh(boulder, 3043, 2)}});
 }
 
 } // namespace
