@@ -11,7 +11,6 @@ using Card = PlantPictures::Card;
 
 /// Rows of the picture. Columns 0 to 2 have views of the whole plant, 60 degrees apart.
 enum Row { kOakRow, kBirchRow, kPineRow, kYoungPineRow };
-constexpr int kViews = 3;
 constexpr int kOther = 3; ///< the column of a crown or a bush
 
 /// Adds both sides of a card. `roundNormal`: the normal of the plant's rounded outline at a point; each side's normals are
