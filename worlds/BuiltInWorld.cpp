@@ -12,7 +12,10 @@ WorldRecords buildBuiltInWorld(Pictures pictures) {
     WorldRecords records;
     addMaterials(records, pictures);
     ModelWriter writer(records);
-    const Plants plants = addPlants(writer);
+    const Plants plants = pictures == Pictures::Painted
+                              ? addPlants(writer, paintMaterial, 128)
+                              : addPlants(
+                                    writer, [](Material) { return blankPicture(); }, 32);
     addRegion(writer, plants);
     const VillageMap map = addVillage(writer, plants);
     const DungeonMap dungeons = addDungeonBlocks(writer, map.furniture, plants);

@@ -14,9 +14,43 @@ using Range = std::span<InstanceIndex>;
 /// Otherwise the bounds of every child would be as large as theirs.
 constexpr double kLargePart = 0.5;
 
+/// Metres. Stands for all distances at which an instance is drawn: instances of one level come together, as if this were a
+/// fourth coordinate. Endless ranges end at kMostDistance.
+double meanDistance(const world::World& world, const world::Instance& instance) {
+    constexpr double kMostDistance = 1000.0;
+    const world::LevelRange range =
+        instance.level == world::kNone ? world::LevelRange{} : world.levels[instance.level].range;
+    const double upTo = static_cast<double>(range.upTo) / world::kRangeSteps;
+    return 0.5 * (static_cast<double>(range.from) / world::kRangeSteps + std::min(upTo, kMostDistance));
+}
+
+/// The greatest difference between the distance that selects an instance's level and the distance to `centre`; for
+/// a horizontal distance, at least as much below.
+double slackOf(const world::World& world, const world::Instance& instance, const Vec3& centre) {
+    constexpr double kRounding = 0.5; // metres: both ends are rounded down to 1/16 along each axis
+    const world::Level& level = world.levels[instance.level];
+    const auto metres = [](std::int32_t steps) { return static_cast<double>(steps) / world::kRangeSteps; };
+    const Vec3 block = world.blocks[instance.block].origin();
+    const Vec3 origin =
+        block + Vec3(metres(level.origin[0]), metres(level.origin[1]), metres(level.origin[2]));
+    const Vec2 middle = Vec2(block) + Vec2(metres(world::landcellMiddle(level.origin[0])),
+                                           metres(world::landcellMiddle(level.origin[1])));
+    const double toOrigin = glm::distance(origin, centre);
+    return kRounding + (level.measure == world::LevelMeasure::Landcell
+                            ? std::max(toOrigin, glm::distance(middle, Vec2(centre)))
+                            : toOrigin);
+}
+
+double squareOf(double metres) {
+    return metres > 0.0 ? metres * metres : 0.0;
+}
+
 class ClusterBuilder {
 public:
-    explicit ClusterBuilder(const world::World& world) : world_(world) {}
+    explicit ClusterBuilder(const world::World& world) : world_(world) {
+        for (const world::Instance& instance : world.instances)
+            distances_.push_back(meanDistance(world, instance));
+    }
 
     Clusters build() {
         countLists();
@@ -110,14 +144,55 @@ private:
         return around;
     }
 
-    // Half of the range goes to each side of a plane across its longest axis. Instance numbers break ties, so
-    // that every standard library gives the same partition.
+    // Requires: sphereAround made `bounds`.
+    [[nodiscard]] DetailRange detailOf(Range range, const Sphere& bounds) const {
+        double anyFrom = DetailRange::kEvery, anyUpTo = 0.0, allFrom = 0.0, allUpTo = DetailRange::kEvery;
+        for (const InstanceIndex index : range) {
+            const world::Instance& instance = world_.instances[index];
+            if (instance.level == world::kNone) {
+                anyFrom = 0.0;
+                anyUpTo = DetailRange::kEvery;
+                continue;
+            }
+            const world::LevelRange& level = world_.levels[instance.level].range;
+            const double slack = slackOf(world_, instance, bounds.centre);
+            const double from = static_cast<double>(level.from) / world::kRangeSteps;
+            const double upTo = level.upTo == world::LevelRange::kEndless
+                                    ? DetailRange::kEvery
+                                    : static_cast<double>(level.upTo) / world::kRangeSteps;
+            anyFrom = std::min(anyFrom, from - slack);
+            anyUpTo = std::max(anyUpTo, upTo + slack);
+            allFrom = std::max(allFrom, level.from == 0 ? 0.0 : from + slack);
+            allUpTo = std::min(allUpTo, upTo - slack);
+        }
+        return {squareOf(anyFrom), squareOf(anyUpTo), squareOf(allFrom), squareOf(allUpTo)};
+    }
+
+    [[nodiscard]] double spreadOfDistances(Range range) const {
+        double least = DetailRange::kEvery, most = 0.0;
+        for (const InstanceIndex instance : range) {
+            least = std::min(least, distances_[instance]);
+            most = std::max(most, distances_[instance]);
+        }
+        return most - least;
+    }
+
+    // Half of the range goes to each side of a plane across its longest axis; one axis is that of the levels' distances.
+    // Instance numbers break ties, so that every standard library gives the same partition.
     void halve(Range range) const {
+        constexpr int kDistance = 3;
         const Vec3 size = sizeOf(range);
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const double longest = std::max({size.x, size.y, size.z});
+        const int axis = spreadOfDistances(range) > longest ? kDistance
+                         : size.x == longest                ? 0
+                         : size.y == longest                ? 1
+                                                            : 2;
+        const auto key = [&](InstanceIndex i) {
+            return axis == kDistance ? distances_[i] : boundsOf(i).centre[axis];
+        };
         const auto middle = range.begin() + static_cast<std::ptrdiff_t>(range.size() / 2);
         std::nth_element(range.begin(), middle, range.end(), [&](InstanceIndex a, InstanceIndex b) {
-            const double left = boundsOf(a).centre[axis], right = boundsOf(b).centre[axis];
+            const double left = key(a), right = key(b);
             return left != right ? left < right : a < b;
         });
     }
@@ -162,6 +237,7 @@ private:
         const Cluster whole = out_.clusters[index];
         const Range range = rangeOf(whole);
         out_.clusters[index].bounds = sphereAround(range);
+        out_.clusters[index].detail = detailOf(range, out_.clusters[index].bounds);
         if (range.size() <= kLeafInstances) {
             std::sort(range.begin(), range.end());
             return;
@@ -183,6 +259,7 @@ private:
     }
 
     const world::World& world_;
+    std::vector<double> distances_;    ///< by instance: meanDistance
     std::vector<std::uint32_t> lists_; ///< by instance: number of spaces that list it
     Clusters out_;
 };
@@ -204,11 +281,18 @@ bool isInOneZone(const world::World& world, const world::Instance& instance,
 ClusterBatches::ClusterBatches(const Clusters& clusters) {
     for (const std::uint32_t root : clusters.roots)
         roots.push_back(root == world::kNone ? root : add(clusters, root, 1));
+    const bool areEndless =
+        std::all_of(clusters.clusters.begin(), clusters.clusters.end(), [](const Cluster& c) {
+            return c.detail.allFrom == 0.0 && c.detail.allUpTo == DetailRange::kEvery;
+        });
+    if (areEndless)
+        details.clear();
 }
 
 std::uint32_t ClusterBatches::add(const Clusters& clusters, std::uint32_t first, std::uint32_t count) {
     const auto index = static_cast<std::uint32_t>(batches.size());
     batches.emplace_back().count = count;
+    details.emplace_back();
     for (std::uint32_t i = 0; i < count; ++i) {
         const Cluster& cluster = clusters.clusters[first + i];
         const std::uint32_t children =
@@ -220,6 +304,7 @@ std::uint32_t ClusterBatches::add(const Clusters& clusters, std::uint32_t first,
         batch.radius[i] = cluster.bounds.radius;
         batch.positions[i] = {cluster.first, cluster.end};
         batch.children[i] = children;
+        details[index][i] = cluster.detail;
     }
     return index;
 }

@@ -4,6 +4,7 @@
 #include "world/World.h"
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,12 +15,31 @@ struct PositionRange {
     std::uint32_t first = 0, end = 0;
 };
 
+/// Distances at which the instances of a cluster are drawn, by their levels of detail. Conservative bounds for
+/// world::isInLevelRange: squares of metres from the eye to the middle of the cluster's bounds.
+struct DetailRange {
+    static constexpr double kEvery = std::numeric_limits<double>::infinity();
+    double anyFrom = 0.0, anyUpTo = kEvery; ///< none is drawn nearer, or, horizontally, beyond
+    double allFrom = 0.0, allUpTo = kEvery; ///< all are drawn, horizontally, beyond, and nearer
+
+    /// Inside: all are drawn. Outside: none is. `offset`: from the eye to the middle of the bounds.
+    [[nodiscard]] visibility::Containment at(const Vec3& offset) const {
+        const double level = offset.x * offset.x + offset.y * offset.y;
+        const double whole = level + offset.z * offset.z;
+        if (whole < anyFrom || level >= anyUpTo)
+            return visibility::Containment::Outside;
+        return level >= allFrom && whole < allUpTo ? visibility::Containment::Inside
+                                                   : visibility::Containment::Partial;
+    }
+};
+
 /// Static instances near each other that are members of one space only: a range of Clusters::order, divided
 /// among the cluster's children.
 struct Cluster {
     Sphere bounds;                                ///< global; contains the bounds of its instances
     std::uint32_t first = 0, end = 0;             ///< positions
     std::uint32_t firstChild = 0, childCount = 0; ///< a run of Clusters::clusters; 0: a leaf
+    DetailRange detail = {};
 };
 
 /// The static instances in the order in which they are resident and drawn, and a tree over each space's share
@@ -65,9 +85,11 @@ struct ClusterBatches {
         std::uint32_t count = 0;
         [[nodiscard]] Sphere bounds(std::size_t i) const { return {{x[i], y[i], z[i]}, radius[i]}; }
     };
+    using BatchDetail = std::array<DetailRange, kBatchSize>;
     explicit ClusterBatches(const Clusters& clusters);
 
     std::vector<Batch> batches;
+    std::vector<BatchDetail> details; ///< by batch; empty if every instance is drawn at every distance
     std::vector<std::uint32_t> roots; ///< by space: the batch that holds its root only; kNone: no tree
 
 private:

@@ -64,14 +64,19 @@ void LevelSelection::descend(std::uint32_t root, const visibility::Viewcones& co
         boundsTested_ += batch.count;
         for (std::uint32_t i = 0; i < batch.count; ++i) {
             // Every list is written; only the counts depend on the result.
+            const Containment levels = levelsAt(index, i, eye);
             const bool isLeaf = batch.children[i] == world::kNone;
-            const bool isPartial = found[i] == Containment::Partial;
+            const bool isSeen = levels != Containment::Outside;
+            const bool isInside = found[i] == Containment::Inside;
+            const bool isPartial = isSeen & (found[i] == Containment::Partial);
+            const bool isWhole = isSeen & isInside & (isLeaf | (levels == Containment::Inside));
+            const bool isOpened = isPartial | (isSeen & isInside & !isWhole);
             open_[openCount] = batch.children[i];
             leaves_[leafCount_] = {index, i};
             whole_[wholeCount_] = batch.positions[i];
-            openCount += static_cast<std::size_t>(isPartial & !isLeaf);
+            openCount += static_cast<std::size_t>(isOpened & !isLeaf);
             leafCount_ += static_cast<std::size_t>(isPartial & isLeaf);
-            wholeCount_ += static_cast<std::size_t>(found[i] == Containment::Inside);
+            wholeCount_ += static_cast<std::size_t>(isWhole);
         }
         if (next + kBatchesAhead < openCount)
             prefetch(batches_.batches[open_[next + kBatchesAhead]]);

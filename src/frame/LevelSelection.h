@@ -4,8 +4,8 @@
 
 namespace limen::frame {
 
-/// Selects the static instances of a space in which a single visit has the whole picture. Tests clusters
-/// level by level, four at a time. No branch depends on a result: with unpredictable branches a frame of
+/// Selects the static instances of a space in which a single visit has the whole picture. Leaves out clusters
+/// whose levels of detail are all out of range. Tests clusters level by level, four at a time. No branch depends on a result: with unpredictable branches a frame of
 /// 10,000 objects took 1.5 times as long.
 ///
 /// Reuse it: steady frames allocate nothing. Clusters and batches must outlive it.
@@ -25,6 +25,13 @@ private:
     struct BatchEntry {
         std::uint32_t batch = 0, number = 0;
     };
+    /// DetailRange::at for a cluster of a batch.
+    [[nodiscard]] visibility::Containment levelsAt(std::uint32_t batch, std::uint32_t number,
+                                                   const Vec3& eye) const {
+        return batches_.details.empty()
+                   ? visibility::Containment::Inside
+                   : batches_.details[batch][number].at(batches_.batches[batch].bounds(number).centre - eye);
+    }
     void descend(std::uint32_t root, const visibility::Viewcones& cones, const Vec3& eye);
     void markLeaf(const PositionRange& leaf, const visibility::Viewcones& cones, const Vec3& eye);
     void mark(const PositionRange& range);

@@ -124,13 +124,24 @@ Containment Selection::testStatic(const SpaceTest& test, std::uint32_t position,
     return isAsked && exits_.areBeyond(instance) ? Containment::Inside : found;
 }
 
+void Selection::drawInRange(const Cluster& cluster) {
+    const Containment levels = cluster.detail.at(cluster.bounds.centre - eye_);
+    if (levels == Containment::Inside || (levels == Containment::Partial && cluster.childCount == 0))
+        draw(cluster.first, cluster.end, true);
+    else if (levels == Containment::Partial)
+        for (std::uint32_t i = 0; i < cluster.childCount; ++i)
+            drawInRange(clusters_.clusters[cluster.firstChild + i]);
+}
+
 void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
+    if (cluster.detail.at(cluster.bounds.centre - eye_) == Containment::Outside)
+        return;
     const SeenSphere sphere = sphereOf(cluster.bounds);
     const std::size_t endActive = active_.size();
     for (std::size_t i = firstActive; i < endActive; ++i) {
         const Containment here = testCluster(tests_[active_[i]], sphere);
         if (here == Containment::Inside) {
-            draw(cluster.first, cluster.end, true);
+            drawInRange(cluster);
             active_.resize(endActive);
             return;
         }

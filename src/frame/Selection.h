@@ -26,6 +26,9 @@ using SelectedDynamic = std::uint32_t;
 /// gated unless it is wholly within one visit, in front of every surface that can hide it
 /// (Viewcones::classify), and a member of one zone. With a single visit nothing is gated.
 ///
+/// A cluster is left out if all its instances are out of the range of their levels of detail. Those of others are
+/// selected, because the drawing leaves them out (DrawRecords::isInRange).
+///
 /// Instances of clusters wholly inside or outside are not tested one by one; the result is the same. There is
 /// one exception: with a single visit, a leaf cluster ahead of the eye that crosses the picture's edges is
 /// drawn whole.
@@ -83,6 +86,8 @@ private:
     /// The same for a static instance that one space lists: walls are tested by their vertices.
     [[nodiscard]] Containment testStatic(const SpaceTest& test, std::uint32_t position,
                                          const visibility::SeenSphere& sphere);
+    /// Draws a cluster that is Inside a visit.
+    void drawInRange(const Cluster& cluster);
     void descend(const Cluster& cluster, std::size_t firstActive);
     void selectLeaf(const Cluster& leaf, std::size_t firstActive);
     /// Selects the dynamic instances, and the static ones that several spaces list.

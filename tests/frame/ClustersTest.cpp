@@ -81,5 +81,39 @@ TEST(Clusters, doNotDependOnTheOrderOfTheLists) {
         std::equal(before.order.begin(), before.order.begin() + before.firstShared, after.order.begin()));
 }
 
+TEST(Clusters, knowAtWhichDistancesTheirLevelsOfDetailAreDrawn) {
+    const world::World world = spheresWithLevels(3000, 5);
+    const Clusters clusters = frame::buildClusters(world);
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> along(-300.0, 700.0), up(-50.0, 400.0);
+    std::array<std::size_t, 3> found{};
+    for (int view = 0; view < 60; ++view) {
+        const Vec3 eye(along(random), along(random), up(random));
+        const world::RangeSteps steps = world::rangeStepsOf(eye);
+        for (const Cluster& cluster : clusters.clusters) {
+            const auto range = cluster.detail.at(cluster.bounds.centre - eye);
+            ++found[static_cast<std::size_t>(range)];
+            for (std::uint32_t p = cluster.first; p < cluster.end; ++p) {
+                const bool isDrawn = world::isInLevelRange(world, world.instances[clusters.order[p]], steps);
+                ASSERT_TRUE(isDrawn || range != visibility::Containment::Inside);
+                ASSERT_TRUE(!isDrawn || range != visibility::Containment::Outside);
+            }
+        }
+    }
+    const std::size_t all = found[0] + found[1] + found[2];
+    EXPECT_GT(found[static_cast<std::size_t>(visibility::Containment::Outside)], all / 5);
+    EXPECT_GT(found[static_cast<std::size_t>(visibility::Containment::Inside)], all / 5);
+}
+
+// Without levels the order is that of places alone.
+TEST(Clusters, areDrawnAtEveryDistanceWithoutLevels) {
+    const world::World world = spheresInTwoSpaces(300, 5);
+    const Clusters clusters = frame::buildClusters(world);
+    for (const Cluster& cluster : clusters.clusters)
+        for (const double away : {0.0, 50.0, 1e6})
+            EXPECT_EQ(cluster.detail.at({away, 0.0, away}), visibility::Containment::Inside);
+    EXPECT_TRUE(frame::ClusterBatches(clusters).details.empty());
+}
+
 } // namespace
 } // namespace limen::test

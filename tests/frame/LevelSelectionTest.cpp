@@ -34,7 +34,13 @@ struct OneVisit {
 /// The expected selection, without optimization: one cluster after the other.
 void choose(const Clusters& clusters, const Cluster& cluster, const OneVisit& from,
             std::vector<bool>& chosen) {
-    const Containment lies = from.lies(cluster.bounds);
+    const Containment levels = cluster.detail.at(cluster.bounds.centre - from.eye);
+    if (levels == Containment::Outside)
+        return;
+    const Containment seen = from.lies(cluster.bounds);
+    const bool isOpened =
+        seen == Containment::Inside && levels == Containment::Partial && cluster.childCount > 0;
+    const Containment lies = isOpened ? Containment::Partial : seen;
     const double ahead = glm::dot(cluster.bounds.centre - from.eye, from.view.forward);
     if (lies == Containment::Inside || (lies == Containment::Partial && cluster.childCount == 0 &&
                                         ahead > cluster.bounds.radius + kNearPlane))
@@ -47,44 +53,56 @@ void choose(const Clusters& clusters, const Cluster& cluster, const OneVisit& fr
             choose(clusters, clusters.clusters[cluster.firstChild + i], from, chosen);
 }
 
-TEST(LevelSelection, selectsTheSameAsARecursiveDescent) {
-    std::mt19937 random(3);
+struct Tally {
+    std::size_t drawn = 0, left = 0, ranges = 0;
+};
+
+/// Compares 200 views of a world.
+void compareViews(const world::World& world, std::mt19937& random, Tally& tally) {
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution(low, high)(random);
     };
-    std::size_t drawn = 0, left = 0, ranges = 0;
-    for (const std::uint32_t count : {1u, 16u, 17u, 64u, 130u, 700u, 3000u}) {
-        const world::World world = spheresInTwoSpaces(count, count);
-        const Clusters clusters = frame::buildClusters(world);
-        const frame::ClusterBatches batches(clusters);
-        frame::LevelSelection levels(clusters, batches);
-        for (int i = 0; i < 200; ++i) {
-            const OneVisit from({between(-50, 450), between(-50, 450), between(0, 60)}, between(0, 360),
-                                between(-80, 80));
-            for (world::SpaceIndex space = 0; space < 2; ++space) {
-                if (clusters.roots[space] == world::kNone)
-                    continue;
-                std::vector<bool> expected(clusters.order.size(), false), chosen = expected;
-                choose(clusters, clusters.clusters[clusters.roots[space]], from, expected);
-                std::uint32_t end = 0;
-                for (const auto& range :
-                     levels.select(space, from.cones, from.eye, from.view.forward, kNearPlane)) {
-                    ASSERT_TRUE(range.first > end || range.first == 0) << "in order and disjoint";
-                    ASSERT_LT(range.first, range.end);
-                    end = range.end;
-                    std::fill(chosen.begin() + range.first, chosen.begin() + range.end, true);
-                    ++ranges;
-                }
-                ASSERT_EQ(chosen, expected) << count << " spheres, view " << i << ", space " << space;
-                const auto shown = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
-                drawn += shown;
-                left += chosen.size() - shown;
+    const Clusters clusters = frame::buildClusters(world);
+    const frame::ClusterBatches batches(clusters);
+    frame::LevelSelection levels(clusters, batches);
+    for (int i = 0; i < 200; ++i) {
+        const OneVisit from({between(-50, 450), between(-50, 450), between(0, 60)}, between(0, 360),
+                            between(-80, 80));
+        for (world::SpaceIndex space = 0; space < 2; ++space) {
+            if (clusters.roots[space] == world::kNone)
+                continue;
+            std::vector<bool> expected(clusters.order.size(), false), chosen = expected;
+            choose(clusters, clusters.clusters[clusters.roots[space]], from, expected);
+            std::uint32_t end = 0;
+            for (const auto& range :
+                 levels.select(space, from.cones, from.eye, from.view.forward, kNearPlane)) {
+                ASSERT_TRUE(range.first > end || range.first == 0) << "in order and disjoint";
+                ASSERT_LT(range.first, range.end);
+                end = range.end;
+                std::fill(chosen.begin() + range.first, chosen.begin() + range.end, true);
+                ++tally.ranges;
             }
+            ASSERT_EQ(chosen, expected) << "view " << i << ", space " << space;
+            const auto shown = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
+            tally.drawn += shown;
+            tally.left += chosen.size() - shown;
         }
     }
-    EXPECT_GT(drawn, 10'000u);
-    EXPECT_GT(left, 10'000u);
-    EXPECT_GT(ranges, 1'000u);
+}
+
+TEST(LevelSelection, selectsTheSameAsARecursiveDescent) {
+    std::mt19937 random(3);
+    Tally tally, withLevels;
+    for (const std::uint32_t count : {1u, 16u, 17u, 64u, 130u, 700u, 3000u}) {
+        SCOPED_TRACE(count);
+        compareViews(spheresInTwoSpaces(count, count), random, tally);
+        compareViews(spheresWithLevels(count, count), random, withLevels);
+    }
+    for (const Tally& each : {tally, withLevels}) {
+        EXPECT_GT(each.drawn, 10'000u);
+        EXPECT_GT(each.left, 10'000u);
+        EXPECT_GT(each.ranges, 1'000u);
+    }
 }
 
 } // namespace

@@ -69,8 +69,36 @@ std::map<std::uint32_t, bool> chosen(const world::World& world, const frame::Clu
     return drawn;
 }
 
+/// Removes the static instances whose level of detail is out of range: a selection may leave them out. Returns their
+/// number.
+std::size_t removeFarther(const world::World& world, const Vec3& eye, std::map<std::uint32_t, bool>& drawn) {
+    const world::RangeSteps steps = world::rangeStepsOf(eye);
+    return std::erase_if(drawn, [&](const auto& entry) {
+        return entry.first < world.instances.size() &&
+               !world::isInLevelRange(world, world.instances[entry.first], steps);
+    });
+}
+
+/// Gives every second static instance a random level of detail.
+world::World withLevels(world::World world, std::mt19937& random) {
+    std::uniform_real_distribution<double> metres(0.0, 60.0);
+    for (world::Instance& instance : world.instances) {
+        if (random() % 2 == 0 || instance.block == world::kNone)
+            continue;
+        const double from = random() % 2 == 0 ? 0.0 : metres(random);
+        const double upTo = random() % 4 == 0 ? 1e9 : from + metres(random);
+        instance.level = static_cast<std::uint32_t>(world.levels.size());
+        world.levels.push_back(
+            {{world::levelRangeLimit(from), world::levelRangeLimit(upTo)},
+             random() % 2 == 0 ? world::LevelMeasure::Landcell : world::LevelMeasure::Object,
+             world::localRangeSteps(Vec3(instance.origin))});
+    }
+    return world;
+}
+
 struct Tally {
     std::size_t views = 0, several = 0, drawn = 0, ungated = 0, more = 0;
+    std::size_t outOfRange = 0, expectedOutOfRange = 0; ///< instances
 };
 
 void compareViews(const world::World& world, std::uint32_t seed, Tally& tally) {
@@ -87,8 +115,10 @@ void compareViews(const world::World& world, std::uint32_t seed, Tally& tally) {
         const frame::FrameView frame = anyView(world, random);
         ASSERT_TRUE(visibility::flood(*graph, {}, frame.view, {}, scratch, set));
         selection.select(frame, dynamics, set);
-        const auto drawn = chosen(world, clusters, dynamics, selection);
-        const auto expected = selectOneByOne(world, dynamics, frame, set);
+        auto drawn = chosen(world, clusters, dynamics, selection);
+        auto expected = selectOneByOne(world, dynamics, frame, set);
+        tally.outOfRange += removeFarther(world, frame.view.eye, drawn);
+        tally.expectedOutOfRange += removeFarther(world, frame.view.eye, expected);
         if (set.visits.size() > 1) {
             ASSERT_EQ(drawn, expected) << "seed " << seed << ", view " << view;
         } else { // clusters across the picture's edges are drawn whole
@@ -107,8 +137,11 @@ TEST(SelectionProperty, selectsTheSameAsTestingEachInstance) {
     const auto compareKind = [&](GeneratedKind kind, std::uint32_t size, std::uint32_t seeds, int radius) {
         for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
             const worlds::test::GeneratedWorld files({kind, size, seed});
-            compareViews(files.load(files.blocks()[files.blocks().size() / 2], seed % 2 == 0, radius), seed,
-                         tally);
+            world::World world = files.load(files.blocks()[files.blocks().size() / 2], seed % 2 == 0, radius);
+            std::mt19937 random(seed);
+            if (seed % 4 < 2)
+                world = withLevels(std::move(world), random);
+            compareViews(world, seed, tally);
         }
     };
     compareKind(GeneratedKind::Complex, 60, 8, 0);
@@ -120,6 +153,8 @@ TEST(SelectionProperty, selectsTheSameAsTestingEachInstance) {
     EXPECT_GT(tally.drawn, 10 * tally.views);
     EXPECT_GT(tally.ungated, tally.drawn / 20);
     EXPECT_LT(tally.more, tally.drawn / 5);
+    EXPECT_GT(tally.expectedOutOfRange, 2 * tally.views);
+    EXPECT_LT(tally.outOfRange, 9 * tally.expectedOutOfRange / 10) << "clusters out of range are left out";
 }
 
 } // namespace

@@ -89,9 +89,9 @@ TEST(Surfaces, nothingLiesInAnOpening) {
 
 /// Foliage has normals that do not follow its faces, as if light came through it.
 bool isFoliage(dat::RecordId surface) {
-    const std::set<dat::RecordId> foliage{surfaceId(Material::Leaves), surfaceId(Material::BirchLeaves),
+    const std::set<dat::RecordId> foliage{surfaceId(Material::Leaves),     surfaceId(Material::BirchLeaves),
                                           surfaceId(Material::PineBranch), surfaceId(Material::GrassTuft),
-                                          surfaceId(Material::Flowers)};
+                                          surfaceId(Material::Flowers),    surfaceId(Material::FarPlants)};
     return foliage.count(surface) != 0;
 }
 

@@ -201,7 +201,7 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     LandblockWriter block(writer, kBlock, kGeneratedCells);
     const dat::RecordId first = block.add(withClosedSeams(std::move(plan)), at).front();
     if (mix.toGround) {
-        addRegion(writer, addPlants(writer));
+        addRegion(writer, addSmallPlants(writer));
         const double away = 12.0 + std::cbrt(kVolume * spec.size);
         notes.addPlace("outside", blockToGlobal(kBlock, at.origin + Vec3(away, -away, 0.7 * away)),
                        blockToGlobal(kBlock, at.origin + Vec3(0.0, 0.0, 0.3 * away)), 0);

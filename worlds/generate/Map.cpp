@@ -46,7 +46,7 @@ public:
         props_ = addProps(writer_);
         houseLeaves_ = addHouseLeaves(writer_);
         dungeonLeaves_ = addDungeonLeaves(writer_);
-        addRegion(writer_, addPlants(writer_));
+        addRegion(writer_, addSmallPlants(writer_));
         raise();
         addTowns();
         land_.addTo(records_, [&](int bx, int by) { return !isDungeon(bx, by); });

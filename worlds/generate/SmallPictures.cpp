@@ -170,4 +170,11 @@ void addSmallMaterials(WorldRecords& records) {
     }
 }
 
+Plants addSmallPlants(ModelWriter& writer) {
+    return addPlants(
+        writer,
+        [](Material material) { return paintSmall(lookOf(material), static_cast<std::uint32_t>(material)); },
+        32);
+}
+
 } // namespace limen::worlds

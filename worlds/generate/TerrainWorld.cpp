@@ -33,7 +33,7 @@ public:
         addSmallMaterials(records_);
         props_ = addProps(writer_);
         leaves_ = addHouseLeaves(writer_);
-        addRegion(writer_, addPlants(writer_));
+        addRegion(writer_, addSmallPlants(writer_));
         const std::uint32_t first = random_.below(static_cast<std::uint32_t>(Site::Count));
         std::uint32_t site = 0;
         for (int by = 0; by < rowsOf(blocks_, across_); ++by) {

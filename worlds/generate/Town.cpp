@@ -26,7 +26,7 @@ public:
         addSmallMaterials(records_);
         props_ = addProps(writer_);
         leaves_ = addHouseLeaves(writer_);
-        addRegion(writer_, addPlants(writer_));
+        addRegion(writer_, addSmallPlants(writer_));
         roll();
         TownBlocks town({writer_, props_, leaves_, notes_}, land_, random_);
         for (std::uint32_t b = 0; b < blocks_; ++b) {

@@ -18,6 +18,7 @@ bool canWalkThrough(const Face& face) {
     case Material::PineBranch:
     case Material::GrassTuft:
     case Material::Flowers:
+    case Material::FarPlants:
     case Material::Flame:
     case Material::LampGlass:
     case Material::Glass:

@@ -89,6 +89,7 @@ Recipe natureRecipe(Material material) {
     case Material::GrassTuft:
         return cutOut(PixelFormat::P8);
     case Material::Flowers:
+    case Material::FarPlants:
         return cutOut(PixelFormat::A8R8G8B8);
     case Material::WaterDark:
         return image(1.0, PixelFormat::R5G6B5);
@@ -129,7 +130,6 @@ Recipe recipe(Material material) {
     case Material::Oak:
         return image(1.5, PixelFormat::R5G6B5);
     case Material::Plaster:
-        return image(3.0, PixelFormat::R8G8B8);
     case Material::InnerPlaster:
         return image(3.0, PixelFormat::R8G8B8);
     case Material::StoneWall:
@@ -145,11 +145,8 @@ Recipe recipe(Material material) {
     case Material::Blanket:
         return image(1.0, PixelFormat::R5G6B5);
     case Material::Linen:
-        return image(1.0, PixelFormat::Dxt1);
     case Material::Books:
-        return image(1.0, PixelFormat::Dxt1);
     case Material::BarrelStaves:
-        return image(1.0, PixelFormat::Dxt1);
     case Material::LogEnds:
         return image(1.0, PixelFormat::Dxt1);
     case Material::Iron:
@@ -208,6 +205,8 @@ Canvas paintNature(Material material) {
         return paintGrassTuft();
     case Material::Flowers:
         return paintFlowers();
+    case Material::FarPlants:
+        return blankPicture();
     case Material::WaterDark:
         return paintWater();
     case Material::SkyNight:
@@ -229,10 +228,6 @@ Canvas paintNature(Material material) {
     default:
         return paintSprite(material);
     }
-}
-
-Canvas blank() {
-    return Canvas(4, 4, Vec4f(0.5f, 0.5f, 0.5f, 1.0f));
 }
 
 Canvas paintGround(Ground ground) {
@@ -270,9 +265,13 @@ dat::RecordId textureId(std::uint32_t index) {
     return 0x05000000u + kFirstRecord + index;
 }
 
+dat::RecordId pictureId(std::uint32_t index) {
+    return 0x06000000u + kFirstRecord + index;
+}
+
 void addTexture(WorldRecords& records, std::uint32_t index, const Canvas& canvas, PixelFormat format) {
     EncodedImage encoded = encodeImage(canvas, format);
-    encoded.image.id = 0x06000000u + kFirstRecord + index;
+    encoded.image.id = pictureId(index);
     if (!encoded.palette.colours.empty()) {
         encoded.palette.id = 0x04000000u + kFirstRecord + index;
         encoded.image.defaultPalette = encoded.palette.id;
@@ -295,7 +294,7 @@ void addMaterial(WorldRecords& records, Material material, Pictures pictures) {
     if (surface.hasImage()) {
         const auto index = static_cast<std::uint32_t>(material);
         surface.texture = textureId(index);
-        addTexture(records, index, pictures == Pictures::Painted ? paintMaterial(material) : blank(),
+        addTexture(records, index, pictures == Pictures::Painted ? paintMaterial(material) : blankPicture(),
                    r.format);
     } else {
         surface.colour.argb = r.colour;
@@ -304,6 +303,10 @@ void addMaterial(WorldRecords& records, Material material, Pictures pictures) {
 }
 
 } // namespace
+
+Canvas blankPicture() {
+    return Canvas(4, 4, Vec4f(0.5f, 0.5f, 0.5f, 1.0f));
+}
 
 double metresPerTile(Material material) {
     return recipe(material).metres;
@@ -380,8 +383,8 @@ void addMaterials(WorldRecords& records, Pictures pictures) {
         const PixelFormat format = g == 0       ? PixelFormat::LandscapeR8G8B8
                                    : g % 2 == 0 ? PixelFormat::Dxt1
                                                 : PixelFormat::R8G8B8;
-        addTexture(records, kMaterialCount + g, painted ? paintGround(static_cast<Ground>(g)) : blank(),
-                   format);
+        addTexture(records, kMaterialCount + g,
+                   painted ? paintGround(static_cast<Ground>(g)) : blankPicture(), format);
     }
     constexpr std::array kBlends{BlendShape::Corner,      BlendShape::Corner,   BlendShape::Corner,
                                  BlendShape::Side,        BlendShape::Side,     BlendShape::Side,
@@ -389,7 +392,17 @@ void addMaterials(WorldRecords& records, Pictures pictures) {
                                  BlendShape::RoadDiagonal};
     for (std::uint32_t b = 0; b < kBlends.size(); ++b) {
         addTexture(records, kMaterialCount + kGroundCount + b,
-                   painted ? paintBlend(kBlends[b], 2401 + b) : blank(), PixelFormat::LandscapeAlpha);
+                   painted ? paintBlend(kBlends[b], 2401 + b) : blankPicture(), PixelFormat::LandscapeAlpha);
+    }
+}
+
+void setPicture(WorldRecords& records, Material material, const Canvas& canvas) {
+    const dat::RecordId id = pictureId(static_cast<std::uint32_t>(material));
+    for (dat::RenderSurface& image : records.renderSurfaces) {
+        if (image.id == id) {
+            image = encodeImage(canvas, recipe(material).format).image;
+            image.id = id;
+        }
     }
 }
 

@@ -58,6 +58,7 @@ enum class Material : std::uint8_t {
     GreenCloth,
     BrownCloth,
     RedCloth,
+    FarPlants, ///< cut-out: plants drawn from the side, for their far levels of detail
     Count
 };
 
@@ -90,7 +91,14 @@ enum class Ground : std::uint8_t {
 /// the time.
 enum class Pictures : std::uint8_t { Painted, Blank };
 
+/// A grey square, in place of a picture.
+[[nodiscard]] Canvas blankPicture();
+
 /// Adds Surface, SurfaceTexture, RenderSurface and Palette records for all materials, grounds and blend maps.
+/// FarPlants is blank until its picture is set.
 void addMaterials(WorldRecords& records, Pictures pictures);
+
+/// Replaces the picture of a material. Requires: addMaterials; a format without a palette.
+void setPicture(WorldRecords& records, Material material, const Canvas& canvas);
 
 } // namespace limen::worlds

@@ -5,6 +5,7 @@
 #include "worlds/records/EncodedMesh.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -109,6 +110,25 @@ void ModelWriter::setLevels(dat::RecordId gfxObj, std::vector<dat::DegradeLevel>
     object.flags |= dat::GfxObj::kHasDegrade;
     object.degradeId = nextDegradeInfo_++;
     records_.degradeInfos.push_back({object.degradeId, std::move(levels)});
+}
+
+void ModelWriter::setLevels(dat::RecordId gfxObj, double upTo, const std::vector<FartherLevel>& farther) {
+    LIMEN_ASSERT(!farther.empty(), "a record ends with a level that is drawn at every distance");
+    constexpr std::uint32_t kMesh = 1;
+    constexpr float kEvery = std::numeric_limits<float>::max();
+    std::vector<dat::DegradeLevel> levels;
+    float from = 0.0f;
+    const auto add = [&](dat::RecordId mesh, double limit) {
+        const auto most = static_cast<float>(limit);
+        LIMEN_ASSERT(most > from, "levels are in the order of their distances");
+        levels.push_back({mesh, kMesh, from, 0.5f * (from + most), most});
+        from = most;
+    };
+    add(gfxObj, upTo);
+    for (std::size_t k = 0; k + 1 < farther.size(); ++k)
+        add(farther[k].gfxObj, farther[k].upTo);
+    levels.push_back({farther.back().gfxObj, kMesh, from, kEvery, kEvery});
+    setLevels(gfxObj, std::move(levels));
 }
 
 void ModelWriter::setEffects(dat::RecordId setup, const SetupEffects& effects) {

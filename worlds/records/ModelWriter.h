@@ -19,6 +19,13 @@ struct Lamp {
     double range = 6.0; ///< metres
 };
 
+/// A level of detail of mode 1, drawn up to a distance. From distances 50 m are subtracted
+/// (docs/formats/geometry.md#levels-of-detail). The last level is drawn at every greater distance.
+struct FartherLevel {
+    dat::RecordId gfxObj = 0; ///< 0: nothing
+    double upTo = 0.0;        ///< metres; unused for the last level
+};
+
 /// Script, script table and animation that a Setup plays by itself; 0: none.
 struct SetupEffects {
     dat::RecordId script = 0, scriptTable = 0, animation = 0;
@@ -45,6 +52,8 @@ public:
     /// The id that the next script will get.
     [[nodiscard]] dat::RecordId nextScript() const { return nextScript_; }
     dat::RecordId addScriptTable(dat::PhysicsScriptTable table); ///< its id is filled in
+    /// Sets the levels of detail of a GfxObj: itself up to `upTo`, then `farther`.
+    void setLevels(dat::RecordId gfxObj, double upTo, const std::vector<FartherLevel>& farther);
     /// Sets the levels of detail of a GfxObj, or the effects of a Setup. Requires: this writer made the
     /// record.
     void setLevels(dat::RecordId gfxObj, std::vector<dat::DegradeLevel> levels);

@@ -1,236 +1,162 @@
 #include "worlds/builtin/land/Plants.h"
 
 #include "geometry/Angles.h"
-#include "worlds/pictures/Noise.h"
+#include "worlds/builtin/land/PlantMeshes.h"
 
 namespace limen::worlds {
 
 namespace {
 
-/// Adds a square picture: its centre, and half its right and upper edges as vectors.
-void addLeafCard(FaceMesh& mesh, const Vec3& centre, const Vec3& right, const Vec3& up, const Vec3& bulge,
-                 Material material) {
-    Face face;
-    face.points = {centre - right - up, centre + right - up, centre + right + up, centre - right + up};
-    face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-    face.material = material;
-    // Normals of a round crown; those of flat cards would show the cards.
-    for (const Vec3& p : face.points)
-        face.normals.push_back(glm::normalize(p - bulge + Vec3(0.0, 0.0, 0.6)));
-    mesh.addThin(face);
+using Card = PlantPictures::Card;
+
+/// Rows of the picture. Columns 0 to 2 have views of the whole plant, 60 degrees apart.
+enum Row { kOakRow, kBirchRow, kPineRow, kYoungPineRow };
+constexpr int kOther = 3; ///< the column of a crown or a bush
+
+/// Adds both sides of a card. `roundNormal`: the normal of the plant's rounded outline at a point; each side's normals are
+/// turned to its viewer, so that a plant is darker from its shadow side.
+template <class Normal>
+void addCard(FaceMesh& mesh, const Card& card, Normal roundNormal) {
+    const auto withNormals = [&](Face face, const Vec3& front) {
+        for (const Vec3& p : face.points)
+            face.normals.push_back(glm::normalize(roundNormal(p) + 0.25 * front));
+        return face;
+    };
+    mesh.add(withNormals(faceOf(card), card.facing));
+    mesh.add(withNormals(flipped(faceOf(card)), -card.facing));
 }
 
-struct Crown {
-    Vec3 centre{0.0};
-    double radius = 2.0, height = 2.0; ///< half sizes
-    int cards = 14;
-    double cardSize = 1.2; ///< half size
-    Material material = Material::Leaves;
-    std::uint32_t seed = 1;
+/// Crossing pictures of a whole plant, from the sides of the first `views` fields of a row.
+FaceMesh crossedViews(PlantPictures& pictures, const FaceMesh& plant, int row, int views) {
+    FaceMesh mesh;
+    for (int view = 0; view < views; ++view) {
+        const Card card = pictures.draw(plant, 0.5 * kTurn * view / views, view, row);
+        addCard(mesh, card, [&](const Vec3& p) {
+            return glm::normalize(Vec3(p.x - card.axis.x, p.y - card.axis.y, 0.0)) * 0.66 + Vec3(0, 0, 0.75);
+        });
+    }
+    return mesh;
+}
+
+/// Half of a crown's width and height.
+Vec2 halfSizeOf(const Crown& crown) {
+    return Vec2(0.65 * crown.radius, 0.7 * crown.height) + crown.cardSize;
+}
+
+/// Adds crossing cards for a crown. `card`: shows another crown, `shown`.
+void addCrownCards(FaceMesh& mesh, const Crown& crown, const Card& card, const Crown& shown, int cards) {
+    const Vec2 scale = halfSizeOf(crown) / halfSizeOf(shown);
+    const Vec3 bulge = crown.centre - Vec3(0, 0, crown.height * 0.4);
+    for (int k = 0; k < cards; ++k) {
+        const double turn = kTurn * (0.5 * k / cards + 0.13 * static_cast<double>(crown.seed % 8));
+        Card own = card;
+        own.axis = crown.centre + Vec3(0, 0, (card.axis.z - shown.centre.z) * scale.y);
+        own.facing = {std::sin(turn), -std::cos(turn), 0.0};
+        own.halfWidth *= scale.x;
+        own.height *= scale.y;
+        addCard(mesh, own, [&](const Vec3& p) { return glm::normalize(p - bulge + Vec3(0.0, 0.0, 1.0)); });
+    }
+}
+
+/// The middle levels of a leaf tree: a trunk, and crossing pictures for each crown.
+struct CrownLevels {
+    FaceMesh middle, far;
+};
+CrownLevels crownLevels(PlantPictures& pictures, const LeafTree& tree, int row) {
+    const Crown& shown = tree.crowns.front();
+    FaceMesh drawn;
+    addCrown(drawn, shown);
+    const Card card = pictures.draw(drawn, 0.7, kOther, row);
+    CrownLevels levels{trunkMesh(tree, 5), straightTrunkMesh(tree, 3)};
+    for (const Crown& crown : tree.crowns) {
+        addCrownCards(levels.middle, crown, card, shown, 3);
+        addCrownCards(levels.far, crown, card, shown, 2);
+    }
+    return levels;
+}
+
+FaceMesh bushOfCards(PlantPictures& pictures) {
+    const Card card = pictures.draw(bushMesh(), 0.7, kOther, kPineRow);
+    FaceMesh mesh;
+    for (int k = 0; k < 3; ++k) {
+        Card own = card;
+        own.facing = {std::sin(0.5 * kTurn * k / 3), -std::cos(0.5 * kTurn * k / 3), 0.0};
+        addCard(mesh, own, [](const Vec3& p) { return glm::normalize(p + Vec3(0, 0, 0.3)); });
+    }
+    return mesh;
+}
+
+/// Adds plants with their levels of detail.
+class PlantWriter {
+public:
+    explicit PlantWriter(ModelWriter& writer) : writer_(writer) {}
+
+    struct Level {
+        const FaceMesh mesh; ///< empty: nothing
+        double upTo = 0.0;
+    };
+    dat::RecordId add(const FaceMesh& nearest, bool solid, double upTo, const std::vector<Level>& farther) {
+        const dat::RecordId id = writer_.addMesh(nearest, solid);
+        std::vector<FartherLevel> levels;
+        for (const Level& level : farther)
+            levels.push_back(
+                {level.mesh.faces().empty() ? 0 : writer_.addMesh(level.mesh, false), level.upTo});
+        writer_.setLevels(id, upTo, levels);
+        return id;
+    }
+    dat::RecordId addTree(const FaceMesh& nearest, double upTo, const std::vector<Level>& farther) {
+        return writer_.addSetup({{add(nearest, true, upTo, farther), {}}});
+    }
+
+private:
+    ModelWriter& writer_;
 };
 
-void addCrown(FaceMesh& mesh, const Crown& c) {
-    for (int k = 0; k < c.cards; ++k) {
-        const auto i = static_cast<std::uint32_t>(k);
-        // Evenly over the sphere by the golden angle, each card with a random turn.
-        const double z = 1.0 - 2.0 * (k + 0.5) / c.cards;
-        const double a = 2.39996323 * k + 0.5 * random01(i, 1, c.seed);
-        const double r = std::sqrt(1.0 - z * z) * (0.55 + 0.2 * random01(i, 2, c.seed));
-        const Vec3 centre =
-            c.centre + Vec3(c.radius * r * std::cos(a), c.radius * r * std::sin(a), c.height * 0.7 * z);
-        const double turn = kTurn * random01(i, 3, c.seed);
-        const double tilt = 0.9 * (random01(i, 4, c.seed) - 0.5);
-        const Vec3 right = c.cardSize * Vec3(std::cos(turn), std::sin(turn), 0.0);
-        const Vec3 up = c.cardSize * glm::normalize(Vec3(-std::sin(turn) * tilt, std::cos(turn) * tilt, 1.0));
-        addLeafCard(mesh, centre, right, up, c.centre - Vec3(0, 0, c.height * 0.4), c.material);
-    }
+void addTrees(PlantWriter& writer, PlantPictures& pictures, Plants& p) {
+    const CrownLevels oaks = crownLevels(pictures, oak(), kOakRow),
+                      birches = crownLevels(pictures, birch(), kBirchRow);
+    const FaceMesh oakTree = treeMesh(oak()), birchTree = treeMesh(birch());
+    p.oak = writer.addTree(
+        oakTree, 50.0,
+        {{oaks.middle, 200.0}, {oaks.far, 450.0}, {crossedViews(pictures, oakTree, kOakRow, 2)}});
+    p.birch = writer.addTree(
+        birchTree, 50.0,
+        {{birches.middle, 200.0}, {birches.far, 450.0}, {crossedViews(pictures, birchTree, kBirchRow, 2)}});
+    const FaceMesh pine = pineMesh({}), youngPine = pineMesh({4.2, 1.5, 6});
+    p.pine = writer.addTree(
+        pine, 60.0,
+        {{pineMesh({9.5, 2.7, 6, 4, 0.66, 4}), 160.0}, {crossedViews(pictures, pine, kPineRow, 3)}});
+    p.youngPine = writer.addTree(youngPine, 50.0, {{crossedViews(pictures, youngPine, kYoungPineRow, 3)}});
 }
 
-/// Adds a trunk of straight pieces with a small bend at each joint. Returns its upper end.
-Vec3 addTrunk(FaceMesh& mesh, double radius, double height, double bend, std::uint32_t seed) {
-    constexpr int kPieces = 3;
-    Vec3 foot(0.0, 0.0, -0.4);
-    for (int k = 0; k < kPieces; ++k) {
-        const auto i = static_cast<std::uint32_t>(k);
-        const double lower = radius * (1.0 - 0.28 * k);
-        const double upper = radius * (1.0 - 0.28 * (k + 1));
-        const Vec3 lean(bend * (random01(i, 1, seed) - 0.5), bend * (random01(i, 2, seed) - 0.5), 0.0);
-        FaceMesh piece;
-        piece.cylinder({.base = foot,
-                        .lower = k == 0 ? radius * 1.35 : lower,
-                        .upper = upper,
-                        .height = (height + 0.4) / kPieces,
-                        .sides = 7,
-                        .side = Material::Bark,
-                        .cap = Material::Bark,
-                        .caps = k + 1 == kPieces});
-        const double top = foot.z + (height + 0.4) / kPieces;
-        for (Face& face : piece.faces()) {
-            for (Vec3& p : face.points)
-                p += p.z > 0.5 * (foot.z + top) ? lean : Vec3(0.0);
-            // The offset of the upper rim makes the quads non-planar: they are split into triangles.
-            if (face.points.size() == 4) {
-                Face other = face;
-                other.points.erase(other.points.begin() + 1);
-                other.uvs.erase(other.uvs.begin() + 1);
-                other.normals.erase(other.normals.begin() + 1);
-                face.points.pop_back();
-                face.uvs.pop_back();
-                face.normals.pop_back();
-                mesh.add(std::move(other));
-            }
-            mesh.add(std::move(face));
-        }
-        foot = Vec3(foot.x, foot.y, top) + lean;
-    }
-    return foot;
+void addUndergrowth(PlantWriter& writer, PlantPictures& pictures, Plants& p) {
+    p.bush = writer.add(bushMesh(), false, 20.0, {{bushOfCards(pictures), 450.0}, {}});
+    p.stump = writer.add(stumpMesh(9), true, 20.0, {{stumpMesh(5), 300.0}, {}});
+    p.grass = writer.add(tuftMesh(Material::GrassTuft, 0.34, 0.42, 2), false, 15.0,
+                         {{tuftMesh(Material::GrassTuft, 0.38, 0.42, 1), 130.0}, {}});
+    p.tallGrass = writer.add(tuftMesh(Material::GrassTuft, 0.45, 0.75, 3), false, 15.0,
+                             {{tuftMesh(Material::GrassTuft, 0.5, 0.75, 1), 180.0}, {}});
+    p.flowers = writer.add(tuftMesh(Material::Flowers, 0.28, 0.46, 2), false, 15.0,
+                           {{tuftMesh(Material::Flowers, 0.32, 0.46, 1), 160.0}, {}});
+    p.fern = writer.add(fernMesh(6, 0.2), false, 15.0, {{fernMesh(3, 0.3), 130.0}, {}});
 }
 
-void addBranch(FaceMesh& mesh, const Vec3& from, const Vec3& to, double thick) {
-    mesh.strut(from, to, {0.3, 0.7, 0.1}, thick, thick, Material::Bark);
-}
-
-FaceMesh oakTree() {
-    FaceMesh mesh;
-    const Vec3 head = addTrunk(mesh, 0.34, 3.6, 0.5, 3001);
-    const std::array<Vec3, 4> lobes{Vec3(1.5, 0.6, 4.9), Vec3(-1.4, 0.9, 5.2), Vec3(0.1, -1.5, 5.0),
-                                    Vec3(0.1, 0.2, 6.6)};
-    std::uint32_t seed = 3003;
-    for (const Vec3& lobe : lobes) {
-        addBranch(mesh, head - Vec3(0, 0, 0.3), lobe, 0.15);
-        addCrown(mesh, {lobe, 2.0, 1.7, 13, 1.25, Material::Leaves, seed++});
-    }
-    return mesh;
-}
-
-FaceMesh birchTree() {
-    FaceMesh mesh;
-    const Vec3 head = addTrunk(mesh, 0.17, 4.6, 0.7, 3011);
-    addCrown(mesh, {head + Vec3(0, 0, 0.6), 1.5, 2.3, 18, 1.0, Material::BirchLeaves, 3013});
-    addCrown(mesh, {head - Vec3(0.3, 0.2, 1.2), 1.5, 1.2, 9, 0.9, Material::BirchLeaves, 3015});
-    return mesh;
-}
-
-FaceMesh pineTree(double height, double spread, int rings) {
-    FaceMesh mesh;
-    mesh.cylinder({.base = {0, 0, -0.4},
-                   .lower = 0.035 * height,
-                   .upper = 0.0,
-                   .height = height * 0.97 + 0.4,
-                   .sides = 6,
-                   .side = Material::Bark,
-                   .cap = Material::Bark,
-                   .caps = false});
-    for (int ring = 0; ring < rings; ++ring) {
-        const double t = static_cast<double>(ring) / rings;
-        const double z = height * (0.16 + 0.80 * t);
-        const double length = spread * (1.0 - 0.88 * t);
-        const int branches = ring + 2 >= rings ? 5 : 6;
-        for (int k = 0; k < branches; ++k) {
-            const double a = kTurn * (k + 0.37 * ring) / branches;
-            const Vec3 out(std::cos(a), std::sin(a), 0.0);
-            const Vec3 side(-out.y, out.x, 0.0);
-            const Vec3 tip = out * length - Vec3(0, 0, length * 0.34);
-            const Vec3 root(0, 0, z);
-            Face face;
-            face.points = {root - side * length * 0.42, root + tip - side * length * 0.42,
-                           root + tip + side * length * 0.42, root + side * length * 0.42};
-            face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-            face.normals.assign(4, glm::normalize(out * 0.7 + Vec3(0, 0, 0.8)));
-            face.material = Material::PineBranch;
-            mesh.addThin(face);
-        }
-    }
-    return mesh;
-}
-
-FaceMesh bush() {
-    FaceMesh mesh;
-    addCrown(mesh, {{0, 0, 0.55}, 0.85, 0.65, 10, 0.62, Material::Leaves, 3031});
-    return mesh;
-}
-
-/// Two or three crossing pictures that begin at the ground.
-FaceMesh tuft(Material material, double half, double height, int cards) {
-    FaceMesh mesh;
-    for (int k = 0; k < cards; ++k) {
-        const double a = 0.5 * kTurn * (k + 0.15) / cards;
-        const Vec3 right(half * std::cos(a), half * std::sin(a), 0.0);
-        Face face;
-        face.points = {-right - Vec3(0, 0, 0.06), right - Vec3(0, 0, 0.06), right + Vec3(0, 0, height),
-                       -right + Vec3(0, 0, height)};
-        face.uvs = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-        face.normals.assign(4, Vec3(0, 0, 1)); // the light of the ground below
-        face.material = material;
-        mesh.addThin(face);
-    }
-    return mesh;
-}
-
-/// A rough stone: a sphere of a few flat faces with random radii.
-FaceMesh stone(const Vec3& size, std::uint32_t seed) {
-    constexpr int kAround = 8;
-    constexpr int kRings = 4;
-    const auto at = [&](int ring, int k) {
-        const double polar = 3.14159265 * ring / kRings;
-        const double a = kTurn * (k % kAround) / kAround;
-        const bool pole = ring == 0 || ring == kRings;
-        const auto key = static_cast<std::uint32_t>(ring * 64 + (pole ? 0 : k % kAround));
-        const double lump = 0.78 + 0.44 * random01(key, seed);
-        return size * lump *
-                   Vec3(std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar)) +
-               Vec3(0, 0, size.z * 0.45);
-    };
-    FaceMesh mesh;
-    for (int ring = 0; ring < kRings; ++ring) {
-        for (int k = 0; k < kAround; ++k) {
-            if (ring > 0)
-                mesh.polygon({at(ring, k), at(ring + 1, k), at(ring, k + 1)}, Material::Rock);
-            if (ring + 1 < kRings)
-                mesh.polygon({at(ring, k + 1), at(ring + 1, k), at(ring + 1, k + 1)}, Material::Rock);
-        }
-    }
-    return mesh;
+void addStones(PlantWriter& writer, Plants& p) {
+    const Vec3 rock(0.55, 0.42, 0.36), boulder(1.5, 1.2, 1.1);
+    p.rock = writer.add(stoneMesh(rock, 3041), true, 20.0, {{stoneMesh(rock, 3041, 2), 300.0}, {}});
+    p.boulder = writer.add(stoneMesh(boulder, 3043), true, 60.0, {{stoneMesh(boulder, 3043, 2)}});
 }
 
 } // namespace
 
-Plants addPlants(ModelWriter& writer) {
-    const auto tree = [&](const FaceMesh& mesh) { return writer.addSetup({{writer.addMesh(mesh), {}}}); };
+Plants addPlants(ModelWriter& writer, const PictureOf& pictureOf, int field) {
+    PlantPictures pictures(pictureOf, field);
+    PlantWriter plants(writer);
     Plants p;
-    p.oak = tree(oakTree());
-    p.birch = tree(birchTree());
-    p.pine = tree(pineTree(9.5, 2.7, 9));
-    p.youngPine = tree(pineTree(4.2, 1.5, 6));
-    p.bush = writer.addMesh(bush(), false);
-    FaceMesh stump;
-    stump.cylinder({.base = {0, 0, -0.3},
-                    .lower = 0.46,
-                    .upper = 0.30,
-                    .height = 0.75,
-                    .sides = 9,
-                    .side = Material::Bark,
-                    .cap = Material::OldPlanks});
-    p.stump = writer.addMesh(stump);
-    p.grass = writer.addMesh(tuft(Material::GrassTuft, 0.34, 0.42, 2), false);
-    p.tallGrass = writer.addMesh(tuft(Material::GrassTuft, 0.45, 0.75, 3), false);
-    p.flowers = writer.addMesh(tuft(Material::Flowers, 0.28, 0.46, 2), false);
-    FaceMesh fern;
-    for (int k = 0; k < 6; ++k) {
-        const double a = kTurn * k / 6.0;
-        const Vec3 out(std::cos(a), std::sin(a), 0.0);
-        const Vec3 side(-out.y, out.x, 0.0);
-        Face face;
-        face.points = {-side * 0.2, out * 0.62 + Vec3(0, 0, 0.42) - side * 0.2,
-                       out * 0.62 + Vec3(0, 0, 0.42) + side * 0.2, side * 0.2};
-        face.uvs = {{0, 0.75}, {1, 0.75}, {1, 0.25}, {0, 0.25}};
-        face.normals.assign(4, Vec3(0, 0, 1));
-        face.material = Material::PineBranch;
-        fern.addThin(face);
-    }
-    p.fern = writer.addMesh(fern, false);
-    p.rock = writer.addMesh(stone({0.55, 0.42, 0.36}, 3041));
-    p.boulder = writer.addMesh(stone({1.5, 1.2, 1.1}, 3043));
+    addTrees(plants, pictures, p);
+    addUndergrowth(plants, pictures, p);
+    addStones(plants, p);
+    setPicture(writer.records(), Material::FarPlants, pictures.take());
     return p;
 }
 

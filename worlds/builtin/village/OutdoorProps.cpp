@@ -2,17 +2,36 @@
 
 #include "geometry/Angles.h"
 
+#include <algorithm>
+
 namespace limen::worlds {
 
 namespace {
 
+/// The mesh without the faces whose normal is closer to `away` than to a right angle with it.
+FaceMesh without(const FaceMesh& mesh, const std::vector<Vec3>& away) {
+    FaceMesh out;
+    for (const Face& face : mesh.faces()) {
+        const Vec3 normal = faceNormal(face);
+        if (std::none_of(away.begin(), away.end(), [&](const Vec3& a) { return glm::dot(a, normal) > 0.7; }))
+            out.add(face);
+    }
+    return out;
+}
+
 dat::RecordId addFence(ModelWriter& writer) {
-    FaceMesh mesh;
+    FaceMesh posts, rails;
     for (const double x : {0.0, 1.5})
-        mesh.beam({x - 0.06, -0.06, -0.6}, {x + 0.06, 0.06, 1.05}, Material::OldPlanks);
-    mesh.strut({0.0, 0.07, 0.42}, {3.0, 0.07, 0.46}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
-    mesh.strut({0.0, 0.07, 0.86}, {3.0, 0.07, 0.83}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
-    return writer.addSingle(mesh);
+        posts.beam({x - 0.06, -0.06, -0.6}, {x + 0.06, 0.06, 1.05}, Material::OldPlanks);
+    rails.strut({0.0, 0.07, 0.42}, {3.0, 0.07, 0.46}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
+    rails.strut({0.0, 0.07, 0.86}, {3.0, 0.07, 0.83}, {0, 1, 0}, 0.05, 0.11, Material::OldPlanks);
+    FaceMesh mesh = posts, far = without(posts, {{0, 0, 1}, {0, 0, -1}});
+    mesh.append(rails, {});
+    far.append(without(rails, {{1, 0, 0}, {-1, 0, 0}, {0, 0, -1}}),
+               {}); // no ends, and nothing seen from below
+    const dat::RecordId id = writer.addMesh(mesh);
+    writer.setLevels(id, 30.0, {{writer.addMesh(far, false)}});
+    return writer.addSetup({{id, {}}});
 }
 
 dat::RecordId addWell(ModelWriter& writer) {
