@@ -62,10 +62,35 @@ Material materialOf(const Polygon& points, Random& random) {
     return kWalls[random.below(kWalls.size())];
 }
 
+/// Gives some openings pictures: closed doors, leaves, panes. A generator of its own, so that the other worlds
+/// of a kind stay as they are.
+class Hangings {
+public:
+    explicit Hangings(std::uint64_t seed) : random_(seed) { share_ = random_.chance(0.4) ? 0.3 : 0.0; }
+
+    void hang(std::vector<Face>& faces) {
+        for (Face& face : faces)
+            if (face.portal && random_.chance(share_))
+                face = pictured(face.points);
+    }
+
+private:
+    Face pictured(const Polygon& points) {
+        constexpr std::array kPictures{Material::OldPlanks, Material::Leaves, Material::Glass};
+        Face face = planarFace(points, kPictures[random_.below(kPictures.size())]);
+        face.portal = face.pictured = true;
+        face.twoSided = random_.chance(0.3);
+        return face;
+    }
+
+    Random random_;
+    double share_ = 0.0;
+};
+
 class ComplexBuilder {
 public:
-    ComplexBuilder(const Props& props, const OpeningMix& mix, Random random)
-        : props_(props), mix_(mix), random_(random) {}
+    ComplexBuilder(const Props& props, const OpeningMix& mix, Random random, const Hangings& hangings)
+        : props_(props), mix_(mix), random_(random), hangings_(hangings) {}
 
     /// The box's floor is z = 0; the plan's origin is its middle.
     BuildingPlan build(std::uint32_t count) {
@@ -84,8 +109,7 @@ public:
         for (std::uint32_t c = 0; c < solids_.size(); ++c)
             shell(c);
         if (mix_.toGround)
-            for (Face& face : facesOf(exterior_, true))
-                plan_.exterior.add(std::move(face));
+            addExterior();
         return std::move(plan_);
     }
 
@@ -144,11 +168,19 @@ private:
         }
     }
 
+    void addExterior() {
+        std::vector<Face> faces = facesOf(exterior_, true);
+        hangings_.hang(faces);
+        for (Face& face : faces)
+            plan_.exterior.add(std::move(face));
+    }
+
     void shell(std::uint32_t c) {
         CellPlan& cell = plan_.cells[c];
         cell.eye = middleOf(solids_[c]);
         cell.faces = facesOf(shells_[c]);
         furnish(cell);
+        hangings_.hang(cell.faces);
     }
 
     /// Puts props into the middle of the cell and into some of its openings.
@@ -175,6 +207,7 @@ private:
     const Props& props_;
     OpeningMix mix_;
     Random random_;
+    Hangings hangings_;
     Vec3 min_{0.0}, max_{0.0};
     std::vector<Solid> solids_;
     std::vector<Shell> shells_; ///< by cell
@@ -195,7 +228,9 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     // Without land the block is a dungeon.
     const Placement at{{96.0, 96.0, heightOfIndex(kComplexGround) + 0.125},
                        mix.toGround ? random.between(0.0, 360.0) : 0.0};
-    BuildingPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
+    constexpr std::uint64_t kOfHangings = 0x68616E67;
+    BuildingPlan plan =
+        ComplexBuilder(props, mix, random, Hangings(seedOf(spec) ^ kOfHangings)).build(spec.size);
     WorldNotes notes;
     const std::vector<CellPlan> cells = plan.cells;
     LandblockWriter block(writer, kBlock, kGeneratedCells);
