@@ -123,7 +123,8 @@ TEST_F(SolidGlTest, cutOut_countsATexelFromAlpha200On_orFrom100WithAPalette) {
                 rgba.insert(rgba.end(), {255, 255, 255, alpha});
             const std::uint32_t material = scene.addMaterial({1, 1, 1, 1}, scene.addTexture(2, 2, rgba),
                                                              indexed ? layout::kMaterialIndexed : 0u);
-            scene.addWall('A', {-2, -2}, {2, 2}, 2, {.material = material, .program = frame::Program::CutOut});
+            scene.addWall('A', {-2, -2}, {2, 2}, 2,
+                          {.material = material, .program = frame::Program::CutOut});
             EXPECT_THAT(render(scene, 2).picture(), ElementsAre("~A", "A~"))
                 << "flags " << flags << ", indexed " << indexed;
         }

@@ -68,6 +68,8 @@ public:
                         float translucency = 0);
     std::uint32_t picture(const std::string& name, const dat::RenderSurface& image, std::uint32_t type);
     [[nodiscard]] std::uint32_t surfaceId(const std::string& name);
+    /// The SurfaceTexture id of the next picture.
+    [[nodiscard]] std::uint32_t nextTexture() const { return nextTexture_; }
 
     // --- cells
     Cell addBox(const Vec3& min, const Vec3& max, const std::string& surface = "grey") {

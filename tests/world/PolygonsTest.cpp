@@ -280,6 +280,25 @@ TEST(Meshes, shellsKnowTheWallBeyondEachEdge) {
     EXPECT_EQ(none, 2u) << "both sides of its diagonal";
 }
 
+TEST(Meshes, aPictureInAnOpeningIsNoWallBeyondAnEdge) {
+    const auto sumOfNeighbours = [](const std::string& picture) {
+        test::TestWorld source;
+        source.solid("pane", 0xFF80A0C0u, dat::Surface::kTranslucent, 0.5f);
+        const auto room = source.addBox({0, 0, 0}, {4, 3, 2}, "brown"),
+                   next = source.addBox({4, 0, 0}, {8, 3, 2});
+        test::TestWorld::LinkOptions options;
+        options.surface = picture;
+        source.link(room, test::rectangle({4, 1, 0}, {4, 2, 1.5}), next, options); // it touches the floor
+        const World world = test::loadTestWorld(source);
+        EXPECT_EQ(world.spaces[1].zone, world.spaces[2].zone);
+        Vec3 sum(0.0);
+        for (const MeshVertex& vertex : world.vertices)
+            sum += Vec3(vertex.neighbour);
+        return sum;
+    };
+    EXPECT_EQ(sumOfNeighbours("pane"), sumOfNeighbours(""));
+}
+
 TEST(Meshes, aShellThatIsAZoneOfItsOwnNeedsNoNeighbours) {
     test::TestWorld source;
     source.addBox({0, 0, 0}, {4, 3, 2}, "brown");

@@ -156,7 +156,7 @@ TEST(DecodeImage, notesWhetherTexelsWereIndices) {
 TEST(DecodeImage, indicesBelow8OfClipMapsAreTransparent) {
     dat::Palette palette;
     palette.colours.assign(256, {0xFF102030u});
-    for (const std::uint8_t index : {0, 7, 8, 255}) {
+    for (const std::uint8_t index : std::array<std::uint8_t, 4>{0, 7, 8, 255}) {
         EXPECT_EQ(decodeImage(picture(1, 1, PixelFormat::P8, {index}), &palette, {true, false})->rgba[3],
                   index < 8 ? 0 : 255);
         EXPECT_EQ(decodeImage(picture(1, 1, PixelFormat::P8, {index}), &palette, {})->rgba[3], 255);

@@ -35,7 +35,7 @@ void StructureAssembler::addShells(const JoiningBlock& block) {
         shell.firstMaterial = materials;
         shell.placedIn = block.spaceOf(i);
         if (world_.zones[space.zone].spaceCount > 1)
-            arena_.setNeighbours(shell.mesh);
+            arena_.setNeighbours(shell.mesh, cell.shell.inOpenings);
         space.shell = static_cast<InstanceIndex>(world_.instances.size() - 1);
     }
 }

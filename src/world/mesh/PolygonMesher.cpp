@@ -19,6 +19,8 @@ void PolygonMesher::add(const BakedGeometry& geometry, std::uint32_t handle) {
     LIMEN_ASSERT(source.isDrawn(), "one of its sides has a surface");
     noteRepeat(source.frontSlot, source.frontRepeats);
     noteRepeat(source.backSlot, source.backRepeats);
+    if (source.isPortal)
+        mesh_.inOpenings.push_back(static_cast<std::uint16_t>(mesh_.polygonIds.size()));
     mesh_.polygonIds.push_back(source.id);
     for (const StitchLoop& loop : geometry.loops(handle))
         addLoop(loop, source, geometry.vertices());
