@@ -111,7 +111,7 @@ void ClassicPath::begin(gpu::RenderTarget& target) {
     write(places_.visit, std::span<const layout::Visit>(base_.visits));
     textures_.back() = scene_->groups().front().page;
     device_.bindStorage(storage_);
-    device_.bindTextures(textures_);
+    device_.bindTextures(textures_, false);
     device_.clear(gpu::TargetImage::Ownership, std::uint32_t{0});
     device_.clear(gpu::TargetImage::Colour, constants.view.voidColour);
     device_.clear(gpu::TargetImage::Id, std::uint32_t{layout::kVoidId});
@@ -161,7 +161,7 @@ void ClassicPath::drawGroup(const ClassicGroup& group, std::uint32_t count) {
     write(offset, std::span<const layout::DrawCommand>(&command, 1));
     textures_.back() = group.page;
     device_.setState({.program = scene_->program(group.program)});
-    device_.bindTextures(textures_);
+    device_.bindTextures(textures_, false);
     device_.bindStorage(std::span<const gpu::StorageRange>(storage_).first(kGroupRanges));
     device_.drawIndirect(offset, 1);
     counts_.objects += count;

@@ -51,6 +51,9 @@ LIMEN_CONST kUnitInstances = 4; // Instance (static)
 LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
 LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
 LIMEN_CONST kUnitFirstPage = 7;
+// The target's images, in place of arrays that the fast way of drawing does not read.
+LIMEN_CONST kUnitColour = kUnitVertices;
+LIMEN_CONST kUnitId = kUnitPieces;
 LIMEN_CONST kVertexTexels = 4u; // texels of one record
 LIMEN_CONST kInstanceTexels = 5u;
 LIMEN_CONST kVisitTexels = 2u;

@@ -51,7 +51,7 @@ void Pipeline::plan(const frame::FrameView& view) {
     LIMEN_ASSERT(!state_.visible.visits.empty() && state_.visible.visits[0].space == view.view.root,
                  "the flood was from this view");
     frame::FrameView planned = view;
-    planned.fewTests = renderer_.options().drawing == gpu::Drawing::Fast;
+    planned.fewTests = planned.fillsVoids = renderer_.options().drawing == gpu::Drawing::Fast;
     part_->planner.plan(planned, state_.dynamics, state_.visible, state_.plan);
     isPlanned_ = true;
 }

@@ -42,6 +42,8 @@ struct FrameView {
     /// Instances of the root's zone that no opening can hide are drawn without the ownership test. The picture
     /// is the same, but for surfaces in the plane of a shut opening.
     bool fewTests = false;
+    /// The plain sky is drawn in every frame with several visits, because its draw fills voids (skyplain.frag).
+    bool fillsVoids = false;
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth
     /// Keep them few: for static instances the device searches the list for every draw. Read while the frame
     /// is planned.

@@ -194,9 +194,11 @@ void Planner::planSolid(bool several, FramePlan& plan) {
 }
 
 void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
-    if (!seesOutside(set))
+    const bool seesSky = seesOutside(set);
+    if (seesSky || (frame.fillsVoids && plan.visits.size() > 1))
+        plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
+    if (!seesSky)
         return;
-    plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
     world::skyPlacements(world_.sky, frame.dayGroup, frame.timeOfDay, frame.seconds, sky_);
     beginBatch(Program::SkyObjects, false, plan);
     const std::size_t firstPiece = plan.pieces.size();

@@ -40,6 +40,10 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
     return out;
 }
 
+bool fillsVoids(const ProgramVariant& skyPlain, const FrameKind& frame) {
+    return frame.drawing == Drawing::Fast && skyPlain.gated && !frame.multisampled;
+}
+
 DrawState stateOf(frame::Program program, const FrameKind& frame) {
     const bool fast = frame.drawing == Drawing::Fast;
     DrawState state;

@@ -35,6 +35,9 @@ struct BatchDraws {
 };
 [[nodiscard]] BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const FrameKind& frame);
 
+/// Whether the plain sky's draw also fills voids, and so reads what is drawn (skyplain.frag).
+[[nodiscard]] bool fillsVoids(const ProgramVariant& skyPlain, const FrameKind& frame);
+
 /// Pipeline state of a batch's program, without the program.
 [[nodiscard]] DrawState stateOf(frame::Program program, const FrameKind& frame);
 

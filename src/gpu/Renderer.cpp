@@ -262,7 +262,7 @@ void Renderer::writeRing(const frame::FramePlan& plan, const FrameRing& ring, co
         culling_->writeRuns(plan, options, ring.slotGroups(memory), ring.runs(memory));
 }
 
-void Renderer::bindAll(const FrameRing& ring) {
+void Renderer::bindAll(const FrameRing& ring, bool withDrawn) {
     StorageBindings storage = scene_->storage();
     ring.bind(storage);
     if (isFast())
@@ -270,7 +270,7 @@ void Renderer::bindAll(const FrameRing& ring) {
     else
         culling_->bind(storage);
     device_->bindStorage(storage);
-    device_->bindTextures(scene_->boundTextures());
+    device_->bindTextures(scene_->boundTextures(), withDrawn);
     if (isFast())
         device_->bindRecords(ring.records());
 }
@@ -297,6 +297,8 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
             device_->drawVertices(batch.first, batch.count);
             break;
         case frame::Program::SkyPlain:
+            if (fillsVoids(draw.variant, frame))
+                device_->readDrawn();
             device_->drawVertices(0, 3 * batch.draws);
             break;
         default:
@@ -354,7 +356,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     device_->setGeometry(scene_->vertices(), indicesFor(options));
     const std::span<std::byte> memory = device_->beginFrame(target.handle(), target.viewport());
     writeRing(plan, ring, options, target, memory);
-    bindAll(ring);
+    bindAll(ring, isFast() && !kind.multisampled);
     clearTarget(plan, options);
     if (!isFast())
         culling_->cull();

@@ -89,7 +89,7 @@ private:
     /// Writes a frame's arrays into its ring memory.
     void writeRing(const frame::FramePlan& plan, const FrameRing& ring, const RenderOptions& options,
                    const RenderTarget& target, std::span<std::byte> memory);
-    void bindAll(const FrameRing& ring);
+    void bindAll(const FrameRing& ring, bool withDrawn);
     void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
     /// `commands`: offset of the frame's draw commands in the ring memory.
     void drawStages(const frame::FramePlan& plan, std::size_t commands, const FrameKind& frame);

@@ -129,6 +129,22 @@ TEST_F(PlannerTest, aBatchsRunsAddUp) {
     }
 }
 
+TEST_F(PlannerTest, voidsAreFilledWhereSeveralVisitsMeet) {
+    const auto hasPlainSky = [&](double yaw, bool fillsVoids) {
+        static_cast<void>(planned.planFrom({92, 96, 1.5}, yaw, second));
+        planned.view.fillsVoids = fillsVoids;
+        planned.planner.plan(planned.view, planned.visible, planned.plan);
+        return std::any_of(planned.plan.batches.begin(), planned.plan.batches.end(),
+                           [](const frame::Batch& batch) { return batch.program == Program::SkyPlain; });
+    };
+    EXPECT_FALSE(hasPlainSky(180, false));
+    EXPECT_EQ(planned.visible.visits.size(), 2u) << "the rooms, not the outside";
+    EXPECT_TRUE(hasPlainSky(180, true));
+    EXPECT_FALSE(hasPlainSky(90, true)) << "one visit has no edges";
+    EXPECT_EQ(planned.visible.visits.size(), 1u);
+    EXPECT_TRUE(hasPlainSky(0, false)) << "towards the exit";
+}
+
 TEST_F(PlannerTest, visitsMirrorTheTree) {
     const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
     ASSERT_EQ(plan.visits.size(), planned.visible.visits.size());

@@ -166,7 +166,7 @@ TEST(CheckedDevice, destroyedObjectsMustNotBeUsed) {
     textures.device.releaseHandle(textures.texture);
     textures.device.destroyTexture(textures.texture);
     textures.begin();
-    textures.device.bindTextures(std::span(&textures.texture, 1));
+    textures.device.bindTextures(std::span(&textures.texture, 1), false);
     EXPECT_EQ(textures.fault(), "texture 0 is bound but does not exist");
     Watched programs;
     programs.device.destroyProgram(programs.plain);

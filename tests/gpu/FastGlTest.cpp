@@ -92,6 +92,26 @@ TEST_F(FastGlTest, sharedVerticesShowTheSameAsEachTrianglesOwn) {
     EXPECT_EQ(own.colour, shared.colour);
 }
 
+TEST_F(FastGlTest, aCrackTakesTheColourOfItsNeighbour_aHoleStays) {
+    constexpr std::uint32_t kSize = 32;
+    SceneBuilder scene;
+    scene.root(1);
+    scene.visitThrough({-0.1f, -0.1f}, {0.1f, 0.1f}, 2, 2, 0); // several visits, none outside
+    scene.addWall('l', {-9, -9}, {-1.155f, 9}, 4, {.members = {{1, 0}}});
+    scene.addWall('r', {-1.095f, -9}, {1, 9}, 4, {.members = {{1, 0}}}); // a crack, then a hole to its right
+    const Both both = drawBoth(scene, kSize, {.wantIds = true});
+    const auto voids = [](const Frame& frame) {
+        return std::count(frame.ids.begin(), frame.ids.end(), layout::kVoidId);
+    };
+    const auto wide = voids(both.exact) - 2 * kSize; // but the crack and the pixels beside the wall
+    EXPECT_EQ(voids(both.fast), wide);
+    EXPECT_GT(wide, 4 * kSize) << "a hole is not hidden";
+    Renderer renderer(*device_, fast());
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    const Frame withoutIds = renderWith(renderer, scene.finish(), kSize, kSize, {.wantIds = false});
+    EXPECT_EQ(withoutIds.colour, both.fast.colour);
+}
+
 TEST_F(FastGlTest, countsTheSameLayers) {
     SceneBuilder scene = rooms();
     const Both both = drawBoth(scene, 32, {.wantLayers = true});

@@ -6,6 +6,7 @@
 #include "world/Places.h"
 #include "worlds/Demo.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace limen::motion {
@@ -40,6 +41,13 @@ public:
             stuck = levelDistance(feet) < before - 0.005 ? 0.0 : stuck + 0.03;
         }
         return false;
+    }
+
+    /// Walks straight ahead, until it is in a cell. False if it is outside after `seconds`.
+    [[nodiscard]] bool entersWithin(double seconds, double yaw) {
+        for (double t = 0.0; t < seconds && body.standing.space == world::kOutside; t += 0.03)
+            body = moved(body, {.forward = 1.0, .yaw = yaw}, 0.03, here_->collisions, {});
+        return body.standing.space != world::kOutside;
     }
 
     /// Whether the body's space fits its position; true for cells without a tree.
@@ -98,6 +106,19 @@ struct BuiltIn {
     Result<dat::Archive> archive = tl::unexpected(Error());
     Result<world::WorldFile> file = tl::unexpected(Error());
 };
+
+TEST(WalkTour, whoWalksAheadFromTheStartEntersAHouse) {
+    const BuiltIn builtIn;
+    const std::vector<world::Place>& places = builtIn.file->places;
+    const auto start = std::find_if(places.begin(), places.end(), [&](const world::Place& place) {
+        return place.name == builtIn.file->start;
+    });
+    ASSERT_NE(start, places.end());
+    Wanderer wanderer(*builtIn.archive);
+    wanderer.put(*start);
+    ASSERT_EQ(wanderer.body.standing.space, world::kOutside);
+    EXPECT_TRUE(wanderer.entersWithin(10.0, start->yaw));
+}
 
 TEST(WalkTour, reachesEveryWayPointThatIsNotFlownTo) {
     const BuiltIn builtIn;

@@ -244,10 +244,10 @@ void CheckedDevice::bindStorage(std::span<const StorageRange> ranges) {
     ForwardingDevice::bindStorage(ranges);
 }
 
-void CheckedDevice::bindTextures(std::span<const TextureHandle> textures) {
+void CheckedDevice::bindTextures(std::span<const TextureHandle> textures, bool withDrawn) {
     for (const TextureHandle texture : textures)
         expectTexture(texture, "is bound");
-    ForwardingDevice::bindTextures(textures);
+    ForwardingDevice::bindTextures(textures, withDrawn);
 }
 
 void CheckedDevice::checkSampled() {

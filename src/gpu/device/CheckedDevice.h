@@ -44,7 +44,7 @@ public:
 
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
-    void bindTextures(std::span<const TextureHandle> textures) override;
+    void bindTextures(std::span<const TextureHandle> textures, bool withDrawn) override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;
     void setState(const DrawState& state) override;
     void drawVertices(std::uint32_t first, std::uint32_t count) override;

@@ -189,11 +189,14 @@ public:
     /// Binds range i to storage binding i.
     virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
     /// Binds the target's ownership and depth images and the ring memory to their units, and `textures` from
-    /// kUnitVertices on.
-    virtual void bindTextures(std::span<const TextureHandle> textures) = 0;
+    /// kUnitVertices on. `withDrawn`: the target's colour and id images take the place of the textures at
+    /// kUnitColour and kUnitId. Requires a target that is not multisampled.
+    virtual void bindTextures(std::span<const TextureHandle> textures, bool withDrawn) = 0;
     /// Makes frame::gpu::DrawRecord at `offset` of the ring memory an input of this frame's vertices, by the
     /// base instance of their draw command.
     virtual void bindRecords(std::size_t offset) = 0;
+    /// Later draws of the frame may read the target's bound images, but no pixel that they write themselves.
+    virtual void readDrawn() = 0;
     /// Runs a compute program in a grid of work groups. It may read all images drawn so far. Later draws see
     /// its output as commands and indices, later programs as storage.
     virtual void compute(ProgramHandle program, const WorkGroups& groups) = 0;

@@ -68,8 +68,11 @@ public:
         return device_.beginFrame(target, viewport);
     }
     void bindStorage(std::span<const StorageRange> ranges) override { device_.bindStorage(ranges); }
-    void bindTextures(std::span<const TextureHandle> textures) override { device_.bindTextures(textures); }
+    void bindTextures(std::span<const TextureHandle> textures, bool withDrawn) override {
+        device_.bindTextures(textures, withDrawn);
+    }
     void bindRecords(std::size_t offset) override { device_.bindRecords(offset); }
+    void readDrawn() override { device_.readDrawn(); }
     void compute(ProgramHandle program, const WorkGroups& groups) override {
         device_.compute(program, groups);
     }

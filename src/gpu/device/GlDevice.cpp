@@ -145,7 +145,8 @@ void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
          static_cast<GLsizei>(ranges.size()), names.data(), offsets.data(), sizes.data());
 }
 
-void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
+void GlDevice::bindTextures(std::span<const TextureHandle> textures, bool withDrawn) {
+    LIMEN_ASSERT(!withDrawn || !frameTarget_->isMultisampled(), "shaders read one sample a pixel");
     LIMEN_ASSERT(textures.size() + frame::gpu::kUnitVertices <= kMaxUnits, "units that the driver has");
     std::array<GLuint, kMaxUnits> names{};
     names[frame::gpu::kUnitOwnership] = frameTarget_->ownership.id();
@@ -153,8 +154,16 @@ void GlDevice::bindTextures(std::span<const TextureHandle> textures) {
     names[frame::gpu::kUnitDepth] = frameTarget_->depth.id();
     for (std::size_t i = 0; i < textures.size(); ++i)
         names[frame::gpu::kUnitVertices + i] = textures_[static_cast<std::size_t>(textures[i])].id();
+    if (withDrawn) {
+        names[frame::gpu::kUnitColour] = frameTarget_->colour.id();
+        names[frame::gpu::kUnitId] = frameTarget_->id.id();
+    }
     call(glBindTextures, kFirstUnit, static_cast<GLsizei>(textures.size() + frame::gpu::kUnitVertices),
          names.data());
+}
+
+void GlDevice::readDrawn() {
+    call(glTextureBarrier);
 }
 
 void GlDevice::bindRecords(std::size_t offset) {

@@ -49,7 +49,8 @@ public:
 
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override;
     void bindStorage(std::span<const StorageRange> ranges) override;
-    void bindTextures(std::span<const TextureHandle> textures) override;
+    void bindTextures(std::span<const TextureHandle> textures, bool withDrawn) override;
+    void readDrawn() override;
     void bindRecords(std::size_t offset) override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;
     void clear(TargetImage image, const ClearValue& value) override;

@@ -344,6 +344,8 @@ void GlDevice::readTarget(TargetHandle target, TargetImage image, std::span<std:
                  "the size of the image");
     LIMEN_ASSERT(!from.isMultisampled() || image == TargetImage::Colour,
                  "of a multisampled target only colour can be read");
+    // llvmpipe (Mesa 22.3) does not wait for the writes of a frame that also sampled the image (readDrawn).
+    glFinish();
     const auto read = [&](const Texture& texture, GLenum format, GLenum type) {
         glGetTextureImage(texture.id(), 0, format, type, static_cast<GLsizei>(out.size()), out.data());
     };

@@ -164,13 +164,17 @@ void NullDevice::bindStorage(std::span<const StorageRange> ranges) {
     record(CommandKind::BindStorage, ranges.size(), 0, 1);
 }
 
-void NullDevice::bindTextures(std::span<const TextureHandle> textures) {
+void NullDevice::bindTextures(std::span<const TextureHandle> textures, bool) {
     record(CommandKind::BindTextures, textures.size(), 0, 1);
 }
 
 void NullDevice::bindRecords(std::size_t offset) {
     bindsRecords_ = true;
     record(CommandKind::BindRecords, offset, 0, 2);
+}
+
+void NullDevice::readDrawn() {
+    record(CommandKind::ReadDrawn, 0, 0, 1);
 }
 
 void NullDevice::compute(ProgramHandle program, const WorkGroups& groups) {

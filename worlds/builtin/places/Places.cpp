@@ -25,7 +25,7 @@ Places villagePlaces(const VillageMap& map) {
     return {
         {"hill", groundEye(kHillX, kHillY, between)},
         {"lane", groundEye(240.0, 289.0, between + Vec3(0.0, 2.5, 1.2))},
-        {"cottage.front", groundEye(279.6, 285.6, home({-0.7, 0.0, 2.5}))},
+        {"cottage.front", groundEye(279.6, 285.6, home({0.0, 0.0, 2.2}))},
         {"cottage.room", atHome({-4.9, 0.95, 1.7}, {2.6, 3.2, 1.0}, CottageCell::Front)},
         {"cottage.rear", atHome({0.9, 5.35, 1.7}, {-0.35, 9.7, 1.3}, CottageCell::Rear)},
         {"cottage.stairs", atHome({-1.25, 8.1, -0.47}, {0.1, 0.3, 1.65}, CottageCell::Stairwell)},
