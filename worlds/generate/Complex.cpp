@@ -62,15 +62,21 @@ Material materialOf(const Polygon& points, Random& random) {
     return kWalls[random.below(kWalls.size())];
 }
 
+/// True for one of the two faces of an opening. Two things at one place would fight for depth.
+bool isOurs(const Face& face) {
+    const Vec3 n = planeOf(face.points).n;
+    return n.x != 0.0 ? n.x > 0.0 : n.y != 0.0 ? n.y > 0.0 : n.z > 0.0;
+}
+
 /// Gives some openings pictures: closed doors, leaves, panes. A generator of its own, so that the other worlds
 /// of a kind stay as they are.
 class Hangings {
 public:
-    explicit Hangings(std::uint64_t seed) : random_(seed) { share_ = random_.chance(0.4) ? 0.3 : 0.0; }
+    explicit Hangings(std::uint64_t seed) : random_(seed) { share_ = random_.chance(0.4) ? 0.5 : 0.0; }
 
     void hang(std::vector<Face>& faces) {
         for (Face& face : faces)
-            if (face.portal && random_.chance(share_))
+            if (face.portal && isOurs(face) && random_.chance(share_))
                 face = pictured(face.points);
     }
 
@@ -193,9 +199,7 @@ private:
         }
         for (const Face& face : cell.faces) {
             const Vec3 n = planeOf(face.points).n;
-            // Only one of the two cells adds one: two props at one place would fight for depth.
-            const bool isOurs = n.x != 0.0 ? n.x > 0.0 : n.y != 0.0 ? n.y > 0.0 : n.z > 0.0;
-            if (face.portal && isOurs && random_.chance(0.16)) {
+            if (face.portal && isOurs(face) && random_.chance(0.16)) {
                 const bool upright = std::abs(n.z) > 0.7;
                 cell.statics.push_back(
                     {upright ? props_.pole : props_.rod,
