@@ -20,7 +20,7 @@ void main() {
     if (material.texture != kNoTexture) {
         texel = sampleTexture(material.texture, painted.uv, dx, dy);
     }
-    float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
+    float alpha = isAddedWhole(material.flags) ? 1.0 : (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
     alpha *= material.colour.a * instance.opacity;
     if (isSplit(material) && (alpha >= kSolidAlpha + kSplitOverlap || alpha < kLeastAlpha)) {
         discard;

@@ -1,4 +1,4 @@
-// Cut-out surfaces: a texel is present if alpha >= 0.5. With kFrameExactCutOuts the texel at the pixel's centre
+// Cut-out surfaces: a texel is present if its alpha is large enough. With kFrameExactCutOuts the texel at the pixel's centre
 // decides, at mip level 0, as in the reference. Out: colour; the polygon's id. FLAT: colour of the id, always with
 // exact cut-outs. Drivers that execute every branch for all fragments would otherwise spend most of a flat frame on
 // filtering unused textures.
@@ -40,7 +40,12 @@ void main() {
     if (isExact()) {
         alpha = exactAlpha(material, uvOnPolygon());
     }
-    float least = kCutOutAlpha;
+    float least = leastAlpha(material.flags);
+#ifndef FLAT
+    if (material.texture != kNoTexture && !isExact()) {
+        least = mix(least, kFarCutOutAlpha, farShare(vec2(textureSizeOf(textureRefs[material.texture])), dx, dy));
+    }
+#endif
     bool isHere = true;
     if ((material.flags & kMaterialSplit) != 0u) {
         isHere = isSplit(material);

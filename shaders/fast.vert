@@ -6,7 +6,6 @@
 // limits of alpha. GATED: the members that the ownership test needs. LAMPS: with the lamps of the record. IDS: the
 // polygon's id.
 #include "incident.glsl"
-#include "Tolerances.h"
 
 layout(location = kAttributePosition) in vec3 inPosition;
 layout(location = kAttributeNormal) in vec4 inNormal;
@@ -59,8 +58,11 @@ void setAlpha(Material material, float opacity) {
     bool hasParts = (material.flags & kMaterialSplit) != 0u;
     bool areDrawn = (device.flags & kFrameSplits) != 0u;
 #ifdef CUTOUT
-    float least = !hasParts ? kCutOutAlpha : areDrawn ? kSolidAlpha : kAnyAlpha; // else the blended part alone is drawn
-    vAlpha = alphaOf(material, material.colour.a * (hasParts ? opacity : 1.0), false, vec2(least, kAnyAlpha));
+    float least = !hasParts ? leastAlpha(material.flags) : areDrawn ? kSolidAlpha : kAnyAlpha; // else the blended part alone is drawn
+    // w: the size of a cut-out's picture in texels, for farShare; 0: `least` counts at every distance
+    bool isCutOut = !hasParts && material.texture != kNoTexture;
+    float size = isCutOut ? largerSide(textureRefs[material.texture]) : 0.0;
+    vAlpha = alphaOf(material, material.colour.a * (hasParts ? opacity : 1.0), false, vec2(least, size));
 #else
     vAlpha = blendedAlpha(material, opacity, hasParts && areDrawn ? vec2(kLeastAlpha, kSolidAlpha + kSplitOverlap) : kAllAlpha);
 #endif

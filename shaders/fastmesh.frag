@@ -1,5 +1,6 @@
 // Opaque and CUTOUT surfaces of the fast way of drawing. Out: colour; IDS: the polygon's id, and FLAT its colour.
 #include "textures.glsl"
+#include "split.glsl"
 #include "fastgate.glsl"
 #include "idcolour.glsl"
 #define LOOK in
@@ -22,6 +23,10 @@ float alphaOf(vec4 texel) {
 #endif
 
 void main() {
+#ifdef CUTOUT
+    bool isExact = (frame.flags & kFrameExactCutOuts) != 0u;
+    float farHere = isExact ? 0.0 : farShare(vec2(vAlpha.w), dFdx(vUv), dFdy(vUv));
+#endif
     vec4 texel = texelsAt(vTexture, vUv);
 #ifdef GATED
     if (!isSeen(vMembers)) {
@@ -30,7 +35,8 @@ void main() {
 #endif
 #ifdef CUTOUT
     float alpha = alphaOf(texel);
-    if (alpha < vAlpha.z) {
+    float least = mix(vAlpha.z, kFarCutOutAlpha, farHere);
+    if (alpha < least) {
         discard;
     }
 #endif

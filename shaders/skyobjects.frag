@@ -3,6 +3,7 @@
 #include "textures.glsl"
 #include "gate.glsl"
 #include "skylight.glsl"
+#include "split.glsl"
 
 layout(location = kVaryingSkyUv) SMOOTH in vec2 vUv;
 layout(location = kVaryingSkyInstance) flat in uint vInstance;
@@ -23,7 +24,7 @@ void main() {
     if (material.texture != kNoTexture) {
         texel = sampleTexture(material.texture, vUv, dx, dy);
     }
-    float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
+    float alpha = isAddedWhole(material.flags) ? 1.0 : (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
     alpha *= material.colour.a * object.opacity;
     vec3 colour = material.colour.rgb * texel.rgb * vLight;
     outColour = vec4(colour * alpha, (material.flags & kMaterialAdditive) != 0u ? 0.0 : alpha);

@@ -139,7 +139,8 @@ LIMEN_CONST kMaterialClamp = 1u;
 LIMEN_CONST kMaterialAdditive = 2u;
 LIMEN_CONST kMaterialInvAlpha = 4u;
 LIMEN_CONST kMaterialAlpha = 8u;
-LIMEN_CONST kMaterialSplit = 16u; // also drawn as a cut-out: see surface.glsl
+LIMEN_CONST kMaterialSplit = 16u;   // also drawn as a cut-out: see surface.glsl
+LIMEN_CONST kMaterialIndexed = 32u; // its picture has a palette
 
 // Constants of a frame that follow from its view and its scene. Written by frame (frame/Planner.h).
 LIMEN_STRUCT(ViewConstants) {

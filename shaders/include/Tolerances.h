@@ -68,8 +68,10 @@ LIMEN_TOLERANCE kSnapTolerance = 1.0 / 128.0;
 
 // ---- Surfaces: shares of full opacity -------------------------------------------------------------------------------
 
-// A cut-out surface counts where the alpha of its texel is at least this. Source: docs/ray-rule.md#the-rule.
-LIMEN_TOLERANCE kCutOutAlpha = 0.5;
+// A cut-out surface counts where the alpha of its texel is at least this: 200 of 255, and 100 of 255 if its picture
+// has a palette. Half a step less, because drivers round differently. Source: docs/ray-rule.md#the-rule.
+LIMEN_TOLERANCE kCutOutAlpha = 199.5 / 255.0;
+LIMEN_TOLERANCE kCutOutAlphaIndexed = 99.5 / 255.0;
 
 #ifdef __cplusplus
 } // namespace limen

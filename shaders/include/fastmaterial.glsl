@@ -23,8 +23,17 @@ vec4 alphaOf(Material material, float whole, bool isInverse, vec2 kept) {
 }
 #endif
 
+#ifdef CUTOUT
+float largerSide(TextureRef ref) {
+    return float(max(ref.place.z & ~kTextureClamp, ref.place.w));
+}
+#endif
+
 #ifdef BLENDED
 vec4 blendedAlpha(Material material, float opacity, vec2 kept) {
+    if (isAddedWhole(material.flags)) {
+        return vec4(0.0, material.colour.a * opacity, kept);
+    }
     return alphaOf(material, material.colour.a * opacity, (material.flags & kMaterialInvAlpha) != 0u, kept);
 }
 #endif

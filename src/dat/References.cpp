@@ -37,7 +37,7 @@ RecordId packedId(const AnimationHook& hook, std::size_t offset, RecordId base) 
 void hook(const AnimationHook& h, const ReferenceVisitor& visit) {
     switch (h.type) {
     case kReplaceObject:
-        named(packedId(h, 2, kGfxObjs), RecordKind::GfxObj, "the mesh that a hook puts in place", visit);
+        named(packedId(h, 1, kGfxObjs), RecordKind::GfxObj, "the mesh that a hook puts in place", visit);
         return;
     case kCreateParticle:
         named(wordAt<std::uint32_t>(h, 0), RecordKind::ParticleEmitter, "the emitter that a hook starts",

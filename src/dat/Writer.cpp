@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "core/Interrupt.h"
+#include "dat/Iterations.h"
 #include "dat/container/Format.h"
 #include "dat/container/Inflate.h"
 #include "dat/container/TreeBuilder.h"
@@ -16,19 +17,12 @@
 namespace limen::dat {
 namespace {
 
-constexpr std::uint16_t kEntryVersion = 2;
+/// Pack versions of entries. Retail files have version 1 for the iteration record alone.
+constexpr std::uint16_t kEntryVersion = 2, kIterationEntryVersion = 1;
 constexpr std::int32_t kFirstIteration = 1;
 
 void putWord(Bytes& out, std::size_t offset, std::uint32_t word) {
     std::memcpy(out.data() + offset, &word, sizeof word);
-}
-
-/// The usual iteration record: n, -n, 1 with n = 1 (docs/formats/container.md#iteration-record).
-Bytes iterationRecord() {
-    const std::int32_t words[3] = {kFirstIteration, -kFirstIteration, 1};
-    Bytes out(sizeof words);
-    std::memcpy(out.data(), words, sizeof words);
-    return out;
 }
 
 /// A file under construction. Blocks are allocated in ascending order.
@@ -138,18 +132,20 @@ Bytes Writer::build() const {
     const auto store = [&](RecordId id, const Bytes& bytes, bool compressed) {
         const auto flags = static_cast<std::uint16_t>(compressed ? kCompressedFlag : 0);
         const auto length = static_cast<std::uint32_t>(bytes.size());
-        entries.push_back({id, flags, kEntryVersion, sink.store(bytes), length, 0, kFirstIteration});
+        const std::uint16_t version = id == kIterationId ? kIterationEntryVersion : kEntryVersion;
+        entries.push_back({id, flags, version, sink.store(bytes), length, 0, kFirstIteration});
     };
+    const Iterations first{kFirstIteration, {{kFirstIteration, kFirstIteration}}};
     bool iterationDue = !records_.contains(kIterationId);
     for (const auto& [id, stored] : records_) {
         if (iterationDue && id > kIterationId) {
-            store(kIterationId, iterationRecord(), false);
+            store(kIterationId, encodeIterations(first), false);
             iterationDue = false;
         }
         store(id, stored.bytes, stored.compressed);
     }
     if (iterationDue)
-        store(kIterationId, iterationRecord(), false);
+        store(kIterationId, encodeIterations(first), false);
     const std::uint32_t root = storeTree(sink, entries);
     putHeader(sink.bytes(), traits_, root);
     return std::move(sink.bytes());

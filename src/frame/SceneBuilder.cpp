@@ -55,6 +55,7 @@ void addMaterials(const world::World& world, SceneUpload& scene) {
         flags |= (m.flags & world::Material::kInvAlpha) != 0 ? gpu::kMaterialInvAlpha : 0;
         flags |= (m.flags & world::Material::kAlpha) != 0 ? gpu::kMaterialAlpha : 0;
         flags |= (m.flags & world::Material::kSplit) != 0 ? gpu::kMaterialSplit : 0;
+        flags |= (m.flags & world::Material::kIndexed) != 0 ? gpu::kMaterialIndexed : 0;
         scene.materials.push_back({m.colour, m.texture, flags, m.luminosity, 0});
     }
     scene.materialRefs = world.materialRefs;

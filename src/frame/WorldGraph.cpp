@@ -14,7 +14,9 @@ Result<visibility::Graph> visibilityGraph(const world::World& world) {
     for (const world::Portal& p : world.portals) {
         visibility::PortalDesc& desc = portals.emplace_back();
         desc = {p.space, p.destination, p.reciprocal, p.firstCorner, p.cornerCount, p.exact};
-        if (p.vertexCount > p.cornerCount) {
+        if (p.walled)
+            desc.vertexCount = 0; // without an area it is never admitted
+        else if (p.vertexCount > p.cornerCount) {
             desc.firstOutline = static_cast<std::uint32_t>(vertices.size());
             desc.outlineCount = p.vertexCount;
             const auto outline = polygonOf(world, p);

@@ -55,6 +55,13 @@ void addSpritesOf(const world::Emitter& emitter, const DynamicStateInput& input,
     }
 }
 
+/// Whether the eye is near enough to an emitter for its particles to be drawn.
+bool isInReach(const world::World& world, const world::ParticleSource& source, const Vec3& emitter,
+               const Vec3& eye) {
+    const std::uint32_t level = world.movingParts[world.particleStyles[source.style].part].level;
+    return level == kNone || ObjectView(eye, emitter, false).isIn(world.levels[level].range);
+}
+
 /// Appends the living particles of one start of a source. `now`: the carrier's frame at the input's time.
 void addStarted(const DynamicStateInput& input, const world::ParticleSource& source, std::int64_t start,
                 const CarrierFrame& now, DynamicInstances& instances) {
@@ -99,10 +106,8 @@ void addParticle(const DynamicStateInput& input, const ParticleOrigin& from, con
     const bool isVisible = state.opacity > 0.0 && glm::length(state.offset) < kFarthest;
     if (!isVisible || !instances.hasSpriteIds(mesh.polygonCount))
         return;
+    particle.level = kNone; // its emitter is within reach
     const ObjectView view(input.eye, at, false);
-    if (particle.level != kNone && !view.isIn(world.levels[particle.level].range))
-        return;
-    particle.level = kNone;
     const Mat3 linear =
         turnedToEye(style.facing, glm::mat3_cast(state.orientation), view.headingTo(at)) * state.scale;
     particle.block = from.block;
@@ -132,6 +137,8 @@ void addParticles(const DynamicStateInput& input, DynamicInstances& instances) {
         if (!source)
             continue;
         const CarrierFrame now = carrierOf(world, *source, input.seconds);
+        if (!isInReach(world, *source, now.origin, input.eye))
+            continue;
         const SourceStarts starts = startsAt(world.particleStyles[source->style], *source, input.seconds);
         for (std::int64_t start = starts.first; start <= starts.last; ++start)
             addStarted(input, *source, start, now, instances);

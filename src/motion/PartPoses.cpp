@@ -1,6 +1,7 @@
 #include "motion/PartPoses.h"
 
 #include "core/Assert.h"
+#include "geometry/Angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,15 @@ using world::World;
 
 /// Metres a second: a slower cycle counts as one without velocity.
 constexpr double kLeastVelocity = 0.01;
+
+/// A part that moves farther, or turns more, from one frame to the next does not pass through the poses between
+/// them. No part of a retail animation moves so far.
+constexpr double kFarthestMove = 4.0, kGreatestTurn = 120.0 * kDegree;
+
+bool isAJump(const world::PartFrame& from, const world::PartFrame& to) {
+    const double half = std::min(std::abs(glm::dot(from.orientation, to.orientation)), 1.0);
+    return glm::length(to.origin - from.origin) > kFarthestMove || 2.0 * std::acos(half) > kGreatestTurn;
+}
 
 std::uint32_t cycleOf(const MovingBody& body, Gait gait) {
     return body.cycles[static_cast<std::size_t>(gait)];
@@ -109,7 +119,7 @@ std::optional<world::PartFrame> PartPoses::frameOf(std::uint32_t part) const {
         return std::nullopt;
     world::PartFrame at = *from;
     const world::PartFrame* to = frame(*then_, thenStep_, part);
-    if (to != nullptr && to != from && between_ > 0.0) {
+    if (to != nullptr && to != from && between_ > 0.0 && !isAJump(*from, *to)) {
         at.orientation = glm::slerp(at.orientation, to->orientation, between_); // the shorter way
         at.origin += (to->origin - at.origin) * between_;
     }

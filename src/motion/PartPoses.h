@@ -32,7 +32,7 @@ struct PartPose {
 };
 
 /// The poses of all parts of one body at one point of a cycle. Between two frames they are interpolated at
-/// constant rate (docs/uncertain.md). Parts that the frames lack have their resting pose. World and body must
+/// constant rate (docs/retail.md), unless a part jumps: it moves more than 4 m, or turns more than 120 degrees. Parts that the frames lack have their resting pose. World and body must
 /// outlive it.
 class PartPoses {
 public:

@@ -70,11 +70,10 @@ std::optional<ParticleSource> inWorldTime(const World& world, const ParticleSour
             return std::nullopt;
         timed.start = (source.start - begin.seconds) / rate;
         timed.period = source.period / rate;
+        timed.jitter = source.jitter / rate;
         if (!std::isfinite(timed.start) || !std::isfinite(timed.period))
             return std::nullopt; // the carrier never reaches that frame
     }
-    if (timed.replacesItself)
-        timed.gone = std::min(timed.gone, timed.period);
     return timed;
 }
 

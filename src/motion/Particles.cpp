@@ -31,7 +31,9 @@ enum Use : std::uint32_t {
     kStartTranslucency,
     kFinalTranslucency,
     kAround,
-    kUpwards
+    kUpwards,
+    kStartJitter, ///< of a start of a source
+    kTurn         ///< of a place
 };
 
 constexpr double kSmallest = 0.1, kLargest = 10.0; ///< scales, after docs/formats/effects_anim.md
@@ -116,7 +118,7 @@ Vec3 placeOf(ParticleType type, const Vec3& o, const Vec3& a, const Vec3& b, con
     case ParticleType::Swarm:
         return o + t * a + Vec3(std::cos(t * b.x) * c.x, std::sin(t * b.y) * c.y, std::cos(t * b.z) * c.z);
     case ParticleType::Explode:
-        return o + t * (t * b + burst(c, key) * a.x);
+        return o + t * (t * b + burst(c, key) * a.x + Vec3(0.0, 0.0, a.z));
     case ParticleType::Implode: {
         const Vec3 aside = o * c;
         return aside + std::cos(a.x * t) * aside + t * t * b;
@@ -136,14 +138,29 @@ std::int64_t wholeOf(double number) {
 
 Births::Births(const ParticleStyle& style, const ParticleSource& source)
     : interval_(source.interval), life_(style.longestLife()),
-      round_(std::max(life_, style.most * source.interval)), most_(style.most), initial_(style.initial),
-      isEverBurning_(source.isEverBurning),
+      turn_(style.lifespan > style.most * source.interval ? 0.5 * std::min(style.lifeSpread, style.lifespan)
+                                                          : 0.0),
+      round_(std::max(style.lifespan, style.most * source.interval)), seed_(source.seed), most_(style.most),
+      initial_(style.initial), isEverBurning_(source.isEverBurning),
       secondRound_(std::max(static_cast<double>(most_ - initial_ + 1) * interval_,
-                            life_ + (initial_ > 0 ? 0.0 : interval_))),
+                            style.lifespan + (initial_ > 0 ? 0.0 : interval_))),
       end_(style.total > 0 ? std::int64_t{style.total} : std::numeric_limits<std::int64_t>::max()),
       stop_(std::min(style.birthSeconds, source.stop)) {
     LIMEN_ASSERT(style.most > 0, "a style lets particles live");
     LIMEN_ASSERT(interval_ > 0.0, "births are some time apart");
+}
+
+/// Lives that follow one another in a place last from one shifted turn to the next. Their lengths are spread by
+/// the style's spread around its lifespan, and no sum over earlier lives is needed.
+double Births::shiftOf(std::int64_t number) const {
+    const bool isFirst = !isEverBurning_ && number < most_;
+    return turn_ > 0.0 && !isFirst ? turn_ * (2.0 * hashedUnit(seed_, number, kTurn) - 1.0) : 0.0;
+}
+
+double Births::lifeOf(const ParticleStyle& style, const ParticleKey& key) const {
+    if (turn_ > 0.0)
+        return of(key.number + most_) - of(key.number);
+    return std::clamp(style.lifespan + signedUnit(key, kLife) * style.lifeSpread, 0.0, round_);
 }
 
 double Births::of(std::int64_t number) const {
@@ -152,12 +169,12 @@ double Births::of(std::int64_t number) const {
         return static_cast<double>(round) * round_ + static_cast<double>(n - round * most_) * interval_;
     };
     if (isEverBurning_)
-        return rounds(number);
+        return rounds(number) + shiftOf(number);
     if (number < initial_)
         return 0.0;
     if (number < most_)
         return static_cast<double>(number - initial_ + 1) * interval_;
-    return secondRound_ + rounds(number - most_);
+    return secondRound_ + rounds(number - most_) + shiftOf(number);
 }
 
 std::int64_t Births::inRounds(double seconds) const {
@@ -181,9 +198,9 @@ std::int64_t Births::lastBornBy(double seconds) const {
 }
 
 Births::Range Births::livingAt(double seconds) const {
-    return {std::max(lastBornBy(seconds - life_) + 1,
+    return {std::max(lastBornBy(seconds - life_ - turn_) + 1,
                      isEverBurning_ ? std::numeric_limits<std::int64_t>::min() : 0),
-            lastBornBy(seconds)};
+            lastBornBy(seconds + turn_)};
 }
 
 SourceStarts startsAt(const ParticleStyle& style, const ParticleSource& source, double seconds) {
@@ -198,10 +215,20 @@ SourceStarts startsAt(const ParticleStyle& style, const ParticleSource& source, 
         births = 0.0; // all particles are born at the start
     if (style.total > 0)
         births = std::min(births, Births(style, source).of(std::int64_t{style.total} - 1));
-    const double over = std::min(source.gone, births + style.longestLife());
+    double over = std::min(source.gone, births + style.longestLife());
+    if (source.replacesItself)
+        over = std::min(over, source.period + source.jitter);
     const std::int64_t last = wholeOf(since / source.period);
-    const std::int64_t first = over < world::kNeverEnds ? wholeOf((since - over) / source.period) : last;
+    const std::int64_t first =
+        over < world::kNeverEnds ? wholeOf((since - over - source.jitter) / source.period) : last;
     return {std::max(first, last - kMostStarts + 1), last};
+}
+
+double startOf(const ParticleSource& source, std::int64_t start) {
+    double seconds = source.start + static_cast<double>(start) * source.period;
+    if (source.jitter > 0.0)
+        seconds += source.jitter * hashedUnit(source.seed, start, kStartJitter);
+    return seconds;
 }
 
 ParticleKey keyOf(const ParticleSource& source, std::int64_t start, std::int64_t number) {
@@ -210,10 +237,6 @@ ParticleKey keyOf(const ParticleSource& source, std::int64_t start, std::int64_t
 
 double signedUnit(const ParticleKey& key, std::uint32_t use) {
     return 2.0 * hashedUnit(key.seed, key.number, use) - 1.0;
-}
-
-double lifeOf(const ParticleStyle& style, const ParticleKey& key) {
-    return std::max(style.lifespan + signedUnit(key, kLife) * style.lifeSpread, 0.0);
 }
 
 ParticleState particleAt(const ParticleStyle& style, const ParticleKey& key, double age, double life,

@@ -21,18 +21,6 @@ Vec3 inUnitSphere(std::uint32_t seed, std::int64_t number) {
 
 } // namespace
 
-double hashedUnit(std::uint64_t seed, std::int64_t number, std::uint32_t use) {
-    // Ref: the finaliser of SplitMix64 (Steele, Lea, Flood 2014), twice.
-    const auto mix = [](std::uint64_t x) {
-        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-        x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-        return x ^ (x >> 31);
-    };
-    const std::uint64_t bits =
-        mix(mix(seed * 0x9E3779B97F4A7C15u + use) + static_cast<std::uint64_t>(number) * 0x9E3779B97F4A7C15u);
-    return static_cast<double>(bits >> 11) * 0x1.0p-53;
-}
-
 SpriteRange livingAt(const world::Emitter& emitter, double seconds) {
     LIMEN_ASSERT(emitter.rate > 0.0 && emitter.life > 0.0, "an emitter has a rate, and its sprites a life");
     return {static_cast<std::int64_t>(std::floor((seconds - emitter.life) * emitter.rate)) + 1,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/Vec.h"
+#include "world/HashedUnit.h"
 #include "world/Moving.h"
 
 #include <cstdint>
@@ -23,7 +24,6 @@ struct SpriteRange {
 /// A pure function of the sprite's number, the time and the emitter's seed. Requires that the sprite lives.
 [[nodiscard]] SpriteState spriteAt(const world::Emitter& emitter, std::int64_t number, double seconds);
 
-/// A hash of the arguments as a number 0 <= r < 1, the same on every machine.
-[[nodiscard]] double hashedUnit(std::uint64_t seed, std::int64_t number, std::uint32_t use);
+using world::hashedUnit;
 
 } // namespace limen::motion

@@ -89,8 +89,8 @@ Openings::Openings(const world::World& world, const Vec3& origin) : world_(world
         here.first = static_cast<std::uint32_t>(order_.size());
         boxes.clear();
         for (world::PortalIndex i = space.firstPortal; i < space.firstPortal + space.portalCount; ++i) {
-            if (openings_[i].cornerCount < 3)
-                continue; // shut by the loader
+            if (openings_[i].cornerCount < 3 || world.portals[i].walled)
+                continue; // shut by the loader, or a surface
             Extent extent;
             const Opening& opening = openings_[i];
             for (const Vec3& p : cornersOf(opening))

@@ -101,8 +101,8 @@ bool TriangleSet::isHole(const world::World& world, const Triangle& triangle, co
     const bool clamp = (material.flags & world::Material::kClamp) != 0;
     const std::size_t texel =
         std::size_t{texelAt(uv.y, image.height, clamp)} * image.width + texelAt(uv.x, image.width, clamp);
-    constexpr int kLeastAlpha = static_cast<int>(255 * kCutOutAlpha) + 1; // of 255
-    return image.rgba[texel * 4 + 3] < kLeastAlpha;
+    const bool indexed = (material.flags & world::Material::kIndexed) != 0;
+    return image.rgba[texel * 4 + 3] / 255.0 < (indexed ? kCutOutAlphaIndexed : kCutOutAlpha);
 }
 
 void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,

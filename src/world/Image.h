@@ -9,7 +9,8 @@ namespace limen::world {
 struct Image {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
-    bool hasAlpha = false; ///< some texel has alpha < 255
+    bool hasAlpha = false;  ///< some texel has alpha < 255
+    bool isIndexed = false; ///< its texels were indices into a palette
     /// Identifies its source within one archive; 0: unknown.
     std::uint64_t contentKey = 0;
     friend bool operator==(const Image&, const Image&) = default;

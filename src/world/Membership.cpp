@@ -10,7 +10,7 @@ namespace limen::world {
 Membership::Membership(const World& world) : world_(world) {
     bounds_.reserve(world.portals.size());
     for (const Portal& portal : world.portals)
-        bounds_.push_back(boundingSphere(cornersOf(world, portal)));
+        bounds_.push_back(portal.walled ? Sphere{} : boundingSphere(cornersOf(world, portal)));
 }
 
 bool Membership::reaches(PortalIndex portal, const Sphere& sphere) const {

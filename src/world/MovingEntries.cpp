@@ -54,7 +54,7 @@ bool read(const Json& object, VillagerEntry& out) {
     return readField(object, "name", out.name) && readField(object, "route", out.route) &&
            readId(object, "model", out.model) && out.model != 0 && readField(object, "speed", out.speed) &&
            readField(object, "start", out.start) && readWithin(object, "play", out.play) &&
-           readList(object, "clothing", out.clothing);
+           readList(object, "clothing", out.clothing) && readId(object, "basePalette", out.basePalette);
 }
 
 bool read(const Json& object, EmitterEntry& out) {
@@ -106,6 +106,9 @@ Result<MovingEntries> readMovingEntries(const Json& world, const std::string& fi
             return fail(ErrorCode::Malformed, file, "\"player\" has no \"model\"");
         if (!readList(*player, "clothing", entries.playerClothing))
             return broken("clothing", entries.playerClothing.size());
+        if (!readId(*player, "basePalette", entries.playerPalette))
+            return fail(ErrorCode::Malformed, file,
+                        "\"basePalette\" of \"player\" is not the id of a record");
     }
     std::string weather = "clear";
     if (!readField(world, "weather", weather) || (weather != "clear" && weather != "rain"))

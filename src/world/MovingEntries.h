@@ -57,6 +57,7 @@ struct VillagerEntry {
     double speed = 1.0, start = 0.0;
     PlayEntry play;
     std::vector<ClothingEntry> clothing; ///< later entries cover earlier ones
+    dat::RecordId basePalette = 0;       ///< of all indexed pictures of the body; 0: each has its own
 };
 
 struct EmitterEntry {
@@ -75,7 +76,8 @@ struct MovingEntries {
     std::vector<EmitterEntry> emitters;
     dat::RecordId player = 0; ///< model of the player's body; 0: it is not drawn
     std::vector<ClothingEntry> playerClothing;
-    bool rain = false; ///< whether it rains at the start
+    dat::RecordId playerPalette = 0; ///< as VillagerEntry::basePalette
+    bool rain = false;               ///< whether it rains at the start
 };
 
 /// Reads the dynamic objects of a world file. `file`: its name, for error messages. Errors: a malformed

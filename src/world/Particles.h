@@ -62,9 +62,10 @@ struct ParticleSource {
     std::uint32_t cycle = kNone;
     bool replacesItself = false; ///< each start ends the one before
     double start = 0.0;          ///< seconds since the start of the world or of the cycle
-    double period = 0.0;         ///< seconds from start to start, also before the first one; 0: one start
-    double stop = kNeverEnds;    ///< seconds from each start until births end
-    double gone = kNeverEnds;    ///< seconds from each start until its remaining particles are removed
+    double period = 0.0;      ///< mean seconds from start to start, also before the first one; 0: one start
+    double jitter = 0.0;      ///< seconds: each start of several is later by a random share of this
+    double stop = kNeverEnds; ///< seconds from each start until births end
+    double gone = kNeverEnds; ///< seconds from each start until its remaining particles are removed
     /// It is endless and has particles at every time, regardless of `start`.
     bool isEverBurning = false;
     /// No particle reaches a space other than `space`, even with all doors open. False with a carrier.

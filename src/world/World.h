@@ -91,6 +91,8 @@ struct Portal {
         0; ///< index in the cell's portal list; of the outside's portals: in the building's
     std::uint16_t polygonId = 0; ///< in the CellStruct
     bool exact = true;           ///< false: both polygons bound the opening
+    /// Its polygon is an opaque surface of `space`. Rays and membership do not pass, bodies do.
+    bool walled = false;
     friend bool operator==(const Portal&, const Portal&) = default;
 };
 
@@ -189,6 +191,8 @@ struct Material {
     static constexpr std::uint32_t kClamp = 1, kAdditive = 2, kInvAlpha = 4, kAlpha = 8;
     /// Blended by its picture's alpha alone. Its nearly opaque texels may be drawn in the solid stage.
     static constexpr std::uint32_t kSplit = 16;
+    /// Its picture has a palette: as a cut-out it is tested against a lower alpha.
+    static constexpr std::uint32_t kIndexed = 32;
     std::uint32_t texture = kNone; ///< index into textures; kNone: colour alone
     SurfaceClass surfaceClass = SurfaceClass::Opaque;
     std::uint32_t flags = 0;

@@ -1,5 +1,6 @@
 #include "dat/ContainerBytes.h"
 #include "dat/Hex.h"
+#include "dat/Iterations.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ TEST(ContainerRules, readsTheSmallestFileTypedByHand) {
     place(0x18C, "01 1A 00 00");
     place(0x400, "00 00 00 00  05 00 00 00  FB FF FF FF  01 00 00 00");
     place(0x800, "00 0C 00 00");
-    place(0x8FC, "01 00 00 00  00 00 02 00  01 00 FF FF  00 04 00 00  0C 00 00 00  00 00 00 00  05 00 00 00");
+    place(0x8FC, "01 00 00 00  00 00 01 00  01 00 FF FF  00 04 00 00  0C 00 00 00  00 00 00 00  05 00 00 00");
     const auto file = File::fromBytes(bytes, "hand.dat");
     ASSERT_TRUE(file) << file.error().message();
     EXPECT_TRUE(file->warnings().empty());
@@ -33,7 +34,7 @@ TEST(ContainerRules, readsTheSmallestFileTypedByHand) {
     EXPECT_EQ(file->header().minorVersion, 6657u);
     const auto entry = file->find(kIterationId);
     ASSERT_TRUE(entry && *entry);
-    EXPECT_EQ((*entry)->version, 2);
+    EXPECT_EQ((*entry)->version, 1);
     EXPECT_EQ((*entry)->iteration, 5);
     Bytes scratch;
     const auto payload = file->read(kIterationId, scratch);
@@ -50,7 +51,67 @@ TEST(ContainerRules, theWritersSmallestFileHasThatLayout) {
     EXPECT_EQ(wordAt(bytes, 0x404), 1u);
     EXPECT_EQ(wordAt(bytes, 0x800), 0xC00u);
     EXPECT_EQ(wordAt(bytes, 0x8FC), 1u);
+    EXPECT_EQ(wordAt(bytes, 0x900), 0x00010000u) << "version 1 is that of the iteration record alone";
     EXPECT_EQ(wordAt(bytes, 0x904), kIterationId);
+}
+
+TEST(ContainerRules, recordsHaveVersion2AndTheIterationRecordVersion1) {
+    Writer writer(FileTraits::portal());
+    writer.add(0x04000001, hex("01 00 00 04  01 00 00 00  33 22 11 FF"));
+    const auto file = File::fromBytes(writer.build(), "made.dat");
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->find(0x04000001).value()->version, 2);
+    EXPECT_EQ(file->find(kIterationId).value()->version, 1);
+}
+
+TEST(ContainerRules, branchesBehindTheLastOneMayHoldAnything) {
+    Bytes bytes = portalFile(200, 10);
+    const std::uint32_t root = wordAt(bytes, kRootAt);
+    const std::uint32_t count = wordAt(bytes, root + kNodeCountAt);
+    ASSERT_GT(count, 0u) << "the root has children";
+    putWord(bytes, root + 4 + 4 * (count + 1), wordAt(bytes, root + 4)); // an older value, as in retail files
+    putWord(bytes, root + 4 + 4 * (count + 2), 0x12345678);
+    const auto file = File::fromBytes(bytes, "stale.dat");
+    ASSERT_TRUE(file);
+    std::size_t seen = 0;
+    ASSERT_TRUE(file->forEach([&](const Entry&) { return ++seen, true; }));
+    EXPECT_EQ(seen, 201u);
+}
+
+TEST(ContainerRules, aNodeIsALeafExactlyWhenItsFirstBranchIs0) {
+    Bytes bytes = portalFile(3, 10);
+    const std::uint32_t root = wordAt(bytes, kRootAt);
+    putWord(bytes, root + 4 + 4, 0x12345678); // branch 1 of a leaf
+    const auto file = File::fromBytes(bytes, "leaf.dat");
+    ASSERT_TRUE(file);
+    EXPECT_TRUE(file->find(kIterationId).value().has_value());
+    EXPECT_FALSE(file->find(0x04FFFFFF).value().has_value());
+}
+
+TEST(ContainerRules, freeBlocksAreMarkedAndNeverFollowed) {
+    Bytes bytes = portalFile(3, 3000);
+    const auto entry = File::fromBytes(bytes, "whole.dat")->find(1).value();
+    ASSERT_TRUE(entry);
+    putWord(bytes, entry->offset, 0x80000000u | (entry->offset + 1024)); // the mark of a free block
+    const auto file = File::fromBytes(bytes, "free.dat");
+    ASSERT_TRUE(file);
+    Bytes scratch;
+    EXPECT_FALSE(file->read(1, scratch));
+}
+
+TEST(Iterations, areRunsAndSingleValues) {
+    const auto retail = decodeIterations(hex("18 08 00 00  E8 F7 FF FF  01 00 00 00"));
+    ASSERT_TRUE(retail);
+    EXPECT_EQ(*retail, (Iterations{2072, {{1, 2072}}}));
+    EXPECT_EQ(toHex(encodeIterations(*retail)), "18 08 00 00 E8 F7 FF FF 01 00 00 00 ");
+    const auto mixed =
+        decodeIterations(hex("09 00 00 00  FE FF FF FF  03 00 00 00  07 00 00 00  0B 00 00 00"));
+    ASSERT_TRUE(mixed);
+    EXPECT_EQ(mixed->runs, (std::vector<IterationRun>{{3, 2}, {7, 1}, {11, 1}}));
+    EXPECT_EQ(decodeIterations(encodeIterations(*mixed)).value(), *mixed);
+    EXPECT_FALSE(decodeIterations(hex("09 00 00 00  FE FF FF FF")));
+    EXPECT_FALSE(decodeIterations(hex("09 00 00 00  FE FF")));
+    EXPECT_FALSE(decodeIterations({}));
 }
 
 TEST(ContainerRules, foreignFilesAreNamedForWhatTheyAre) {

@@ -70,7 +70,7 @@ TEST(Describe, decodesByFileAndId) {
     EXPECT_FALSE(describe(FileRole::Portal, 0x04000001, ByteView(palette).first(9)));
     EXPECT_THAT(describe(FileRole::Local, 0x04000001, palette).value(), HasSubstr("01 00 00 04 01"));
     EXPECT_THAT(describe(FileRole::Cell, kIterationId, hex("05 00 00 00 FB FF FF FF 01 00 00 00")).value(),
-                HasSubstr("[5, -5, 1]"));
+                testing::AllOf(HasSubstr("[5, -5, 1]"), HasSubstr("\"count\": 5")));
 }
 
 } // namespace

@@ -152,7 +152,7 @@ TEST(SetupCodec, readsPartsPlacementsAndLights) {
         01 00 00 00  65 00 00 00 )" +
                             kNoFrame + R"(              # placement resting
         02 00 00 00  13 00 00 00 01 00 00 00  0A 00 00 33 00 00 00 3F     # CallPES, forward
-                     05 00 00 00 FF FF FF FF  02 00 34 92 78 56            # ReplaceObject, long id
+                     05 00 00 00 FF FF FF FF  02 34 92 78 56 CD CD CD      # ReplaceObject, long id, padding
     )" + kSetupTail);
     const auto s = decode<dat::Setup>(0x02000001, bytes);
     ASSERT_TRUE(s) << s.error().message();
@@ -167,7 +167,7 @@ TEST(SetupCodec, readsPartsPlacementsAndLights) {
     ASSERT_EQ(hooks.size(), 2u);
     EXPECT_EQ(hooks[0].payload.size(), 8u);
     EXPECT_EQ(hooks[1].direction, -1);
-    EXPECT_EQ(hooks[1].payload.size(), 6u);
+    EXPECT_EQ(hooks[1].payload.size(), 8u);
     EXPECT_EQ(s->cylSpheres.at(0).height, 1.0f);
     EXPECT_EQ(s->spheres.at(0).centre.z, 0.5f);
     EXPECT_EQ(s->stepDown, 0.25f);

@@ -26,7 +26,7 @@ TEST(AnimationCodec, readsPositionsPartsAndHooks) {
         00 00 00 00 00 00 00 00 00 00 00 3F  00 00 80 3F 00 00 00 00 00 00 00 00 00 00 00 00   # part, 0.5 m up
         02 00 00 00                                                      # two hooks:
         0F 00 00 00  01 00 00 00  09 00 00 00                            # stop emitter 9, forwards
-        05 00 00 00  FF FF FF FF  02 00 01 80 78 56                      # part 2 becomes 01000000 + 15678, backwards
+        05 00 00 00  FF FF FF FF  02 01 80 78 56 CD CD CD                # part 2 becomes 01000000 + 15678, backwards
         00 00 00 00 00 00 00 00 00 00 00 00  00 00 80 3F 00 00 00 00 00 00 00 00 00 00 00 00
         00 00 00 00
     )");
@@ -39,7 +39,7 @@ TEST(AnimationCodec, readsPositionsPartsAndHooks) {
     ASSERT_EQ(a->frames[0].hooks.size(), 2u);
     EXPECT_EQ(a->frames[0].hooks[0].type, 0x0Fu);
     EXPECT_EQ(a->frames[0].hooks[1].direction, -1);
-    EXPECT_EQ(a->frames[0].hooks[1].payload.size(), 6u);
+    EXPECT_EQ(a->frames[0].hooks[1].payload.size(), 8u);
     EXPECT_TRUE(a->frames[1].hooks.empty());
     EXPECT_EQ(encode(*a), bytes);
 }

@@ -29,7 +29,7 @@ constexpr PixelCase kPixelCases[] = {{PixelFormat::R8G8B8, 24},
                                      {PixelFormat::Dxt5, 8, true}};
 
 constexpr std::size_t kHookBytes[] = {0, 4, 4, 28, 0, 0, 4,  16, 12, 16, 12, 16, 8, 40,
-                                      4, 4, 4, 0,  4, 8, 12, 16, 12, 8,  12, 4,  0};
+                                      4, 4, 4, 0,  4, 8, 12, 16, 12, 8,  12, 4,  40};
 
 bool hasChildren(BspTag tag) {
     return tag != BspTag::Leaf && tag != BspTag::BPOL && tag != BspTag::BPFL;
@@ -152,9 +152,9 @@ AnimationHook RandomRecords::hook() {
     out.type = static_cast<std::uint32_t>(below(std::size(kHookBytes)));
     out.direction = static_cast<std::int32_t>(below(3)) - 1;
     out.payload = octets(kHookBytes[out.type]);
-    if (out.type == 5)
-        out.payload = coin() ? std::vector<std::uint8_t>{1, 0, 0x34, 0x12}
-                             : std::vector<std::uint8_t>{1, 0, 0x01, 0x80, 0x78, 0x56};
+    if (out.type == 5) // u8 part, a packed id of 2 or 4 bytes, padding
+        out.payload = coin() ? std::vector<std::uint8_t>{1, 0x34, 0x12, 0}
+                             : std::vector<std::uint8_t>{1, 0x01, 0x80, 0x78, 0x56, 0, 0, 0};
     return out;
 }
 

@@ -31,8 +31,10 @@ TEST_F(BlendedGlTest, alphaCoversByItsAlpha) {
     EXPECT_FLOAT_EQ(frame.depth[0], frame.depth[1]) << "no depth";
 }
 
-TEST_F(BlendedGlTest, additiveAdds) {
-    EXPECT_EQ(drawOver(layout::kMaterialAdditive, 51, 1.0f).at(0, 0), glm::ivec3(153, 102, 102));
+TEST_F(BlendedGlTest, additiveAddsItsWholeColour_orItsAlphaOfItWithTheAlphaBit) {
+    EXPECT_EQ(drawOver(layout::kMaterialAdditive, 51, 0.4f).at(0, 0), glm::ivec3(204, 102, 102));
+    const std::uint32_t both = layout::kMaterialAdditive | layout::kMaterialAlpha;
+    EXPECT_EQ(drawOver(both, 51, 1.0f).at(0, 0), glm::ivec3(153, 102, 102));
 }
 
 TEST_F(BlendedGlTest, inverseAlphaCoversByOneMinusAlpha) {

@@ -110,18 +110,38 @@ TEST_F(SolidGlTest, modelRowsTurnScaleAndMove) {
     EXPECT_THAT(render(scene, 4).picture(), ElementsAre("~~~~", "~~A~", "~~~~", "~~~~"));
 }
 
-TEST_F(SolidGlTest, cutOut_countsATexelFromHalfAlphaOn) {
+TEST_F(SolidGlTest, cutOut_countsATexelFromAlpha200On_orFrom100WithAPalette) {
     for (const std::uint32_t flags : {0u, layout::kFrameExactCutOuts}) {
+        for (const bool indexed : {false, true}) {
+            SceneBuilder scene;
+            scene.root(0);
+            scene.plan.constants.flags = flags;
+            const std::uint8_t least = indexed ? 100 : 200, less = least - 1;
+            std::vector<std::uint8_t> rgba;
+            // Top left, top right, bottom left, bottom right.
+            for (const std::uint8_t alpha : std::array<std::uint8_t, 4>{less, least, 255, 0})
+                rgba.insert(rgba.end(), {255, 255, 255, alpha});
+            const std::uint32_t material = scene.addMaterial({1, 1, 1, 1}, scene.addTexture(2, 2, rgba),
+                                                             indexed ? layout::kMaterialIndexed : 0u);
+            scene.addWall('A', {-2, -2}, {2, 2}, 2,
+                          {.material = material, .program = frame::Program::CutOut});
+            EXPECT_THAT(render(scene, 2).picture(), ElementsAre("~A", "A~"))
+                << "flags " << flags << ", indexed " << indexed;
+        }
+    }
+}
+
+TEST_F(SolidGlTest, cutOut_countsFromOneHalfOnWhereAPixelCoversTwoTexels) {
+    for (const std::uint32_t size : {2u, 4u}) {
         SceneBuilder scene;
         scene.root(0);
-        scene.plan.constants.flags = flags;
         std::vector<std::uint8_t> rgba;
-        // Top left, top right, bottom left, bottom right.
-        for (const std::uint8_t alpha : std::array<std::uint8_t, 4>{127, 128, 255, 0})
-            rgba.insert(rgba.end(), {255, 255, 255, alpha});
-        const std::uint32_t material = scene.addMaterial({1, 1, 1, 1}, scene.addTexture(2, 2, rgba));
+        for (std::uint32_t i = 0; i < size * size; ++i)
+            rgba.insert(rgba.end(), {255, 255, 255, 150});
+        const std::uint32_t material = scene.addMaterial({1, 1, 1, 1}, scene.addTexture(size, size, rgba));
         scene.addWall('A', {-2, -2}, {2, 2}, 2, {.material = material, .program = frame::Program::CutOut});
-        EXPECT_THAT(render(scene, 2).picture(), ElementsAre("~A", "A~")) << "flags " << flags;
+        const std::string row = size == 2 ? "~~" : "AA";
+        EXPECT_THAT(render(scene, 2).picture(), ElementsAre(row, row)) << size;
     }
 }
 

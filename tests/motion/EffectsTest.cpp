@@ -108,7 +108,7 @@ TEST(Effects, aScriptThatCallsItselfGoesRound) {
     burst.initialParticles = burst.totalParticles = 3;
     const std::uint32_t self = effects.nextScript();
     const std::uint32_t script = effects.addScript(
-        {{1.0, EffectsHut::create(effects.add(burst))}, {4.0, EffectsHut::call(self, 1.0f)}});
+        {{1.0, EffectsHut::create(effects.add(burst))}, {5.0, EffectsHut::call(self, 0.0f)}});
     effects.hut.source.addObject(effects.addScripted(script), frameAt({5, 5, 2}));
     Loaded loaded(effects.hut);
     for (const double round : {-5.0, 0.0, 5.0, 500.0}) {

@@ -1,4 +1,4 @@
-#include "motion/Particles.h"
+#include "PlainStyle.h"
 
 #include "world/records/ParticleStyles.h"
 
@@ -13,31 +13,6 @@ using world::kNeverEnds;
 using world::ParticleSource;
 using world::ParticleStyle;
 
-/// A style whose random ranges are zero, except those of the arguments.
-ParticleStyle plain(ParticleType type = ParticleType::Still) {
-    ParticleStyle style;
-    style.type = type;
-    style.interval = 0.5;
-    style.most = 4;
-    style.lifespan = 3.0;
-    style.scale = {1.0f, 1.0f, 0.0f};
-    return style;
-}
-
-ParticleSource burning(const ParticleStyle& style) {
-    ParticleSource source;
-    source.interval = style.interval;
-    source.isEverBurning = true;
-    source.seed = 7;
-    return source;
-}
-
-ParticleSource started(const ParticleStyle& style) {
-    ParticleSource source = burning(style);
-    source.isEverBurning = false;
-    return source;
-}
-
 Vec3 offsetAt(const ParticleStyle& style, double age, const Quat& born = {1, 0, 0, 0},
               const Vec3& offset = Vec3(0.0)) {
     return particleAt(style, {3, 5}, age, 3.0, born, offset).offset;
@@ -47,129 +22,6 @@ void expectNear(const Vec3& got, const Vec3& wanted) {
     EXPECT_LT(glm::length(got - wanted), 1e-9)
         << "(" << got.x << ", " << got.y << ", " << got.z << ") instead of (" << wanted.x << ", " << wanted.y
         << ", " << wanted.z << ")";
-}
-
-/// The rule, birth by birth: births are at least the interval apart, and at most `most` particles live at
-/// once.
-std::vector<double> birthsOneByOne(const ParticleStyle& style, std::size_t count) {
-    std::vector<double> births;
-    for (std::size_t k = 0; k < count; ++k) {
-        double at = 0.0;
-        if (k >= style.initial)
-            at = (births.empty() ? 0.0 : births.back()) + style.interval;
-        if (k >= style.most)
-            at = std::max(at, births[k - style.most] + style.longestLife());
-        births.push_back(at);
-    }
-    return births;
-}
-
-TEST(Births, followTheRuleOneByOne) {
-    for (const double interval : {0.1, 0.5, 0.75, 1.0, 4.0}) {
-        for (const std::uint32_t initial : {0u, 1u, 3u, 4u}) {
-            ParticleStyle style = plain();
-            style.interval = interval;
-            style.initial = initial;
-            const std::vector<double> wanted = birthsOneByOne(style, 40);
-            const Births births(style, started(style));
-            for (std::size_t k = 0; k < wanted.size(); ++k)
-                EXPECT_NEAR(births.of(static_cast<std::int64_t>(k)), wanted[k], 1e-9)
-                    << "interval " << interval << ", initial " << initial << ", number " << k;
-        }
-    }
-}
-
-TEST(Births, thoseThatLiveAreAllThoseBornALifeAgo) {
-    for (const double interval : {0.11, 0.76, 2.3}) {
-        for (const bool everBurning : {false, true}) {
-            ParticleStyle style = plain();
-            style.interval = interval;
-            style.initial = 2;
-            ParticleSource source = started(style);
-            source.isEverBurning = everBurning;
-            const Births births(style, source);
-            for (double seconds = everBurning ? -20.0317 : 0.0117; seconds < 30.0; seconds += 0.37) {
-                const Births::Range living = births.livingAt(seconds);
-                for (std::int64_t n = living.first - 3; n <= living.last + 3; ++n) {
-                    if (!everBurning && n < 0)
-                        continue;
-                    const double age = seconds - births.of(n);
-                    EXPECT_EQ(n >= living.first && n <= living.last, age >= 0.0 && age < style.lifespan)
-                        << n << " at " << seconds;
-                }
-                EXPECT_LE(living.last - living.first + 1, 4) << "as many as may be";
-            }
-        }
-    }
-}
-
-TEST(Births, endWithTheTotalAndWithTime) {
-    ParticleStyle style = plain();
-    style.most = 100;
-    style.total = 5;
-    style.initial = 2;
-    EXPECT_EQ(Births(style, started(style)).livingAt(2.9).last, 4);
-    EXPECT_GT(Births(style, started(style)).livingAt(100.0).first, 4);
-    style.total = 0;
-    style.birthSeconds = 1.0;
-    EXPECT_EQ(Births(style, started(style)).livingAt(2.9).last, 3) << "two at first, at 0.5 and at 1";
-    style.birthSeconds = kNeverEnds;
-    ParticleSource stopped = started(style);
-    stopped.stop = 0.7;
-    EXPECT_EQ(Births(style, stopped).livingAt(2.9).last, 2);
-    EXPECT_EQ(Births(style, started(style)).livingAt(-0.1).last, -1) << "not before it starts";
-}
-
-TEST(Births, withoutAnIntervalAreTheFirstOnes) {
-    ParticleStyle style = plain();
-    style.interval = kNeverEnds;
-    style.initial = 3;
-    const Births births(style, started(style));
-    EXPECT_EQ(births.livingAt(2.0).first, 0);
-    EXPECT_EQ(births.livingAt(2.0).last, 2);
-    EXPECT_GT(births.livingAt(5.0).first, births.livingAt(5.0).last);
-}
-
-TEST(Births, areFewEvenAtTheEndsOfWhatNumbersCanSay) {
-    for (const double interval : {1e-12, 1e9}) {
-        for (const double life : {1e-12, 2e9}) {
-            for (const bool everBurning : {false, true}) {
-                ParticleStyle style = plain();
-                style.interval = interval;
-                style.lifespan = life;
-                style.initial = 2;
-                ParticleSource source = started(style);
-                source.isEverBurning = everBurning;
-                for (const double seconds : {-1e12, -1.0, 0.0, 1e-300, 1e12}) {
-                    const Births::Range living = Births(style, source).livingAt(seconds);
-                    EXPECT_LE(living.last - living.first + 1, 5)
-                        << interval << ", " << life << ", " << seconds;
-                }
-            }
-        }
-    }
-}
-
-TEST(SourceStarts, areThoseThatStillShowSomething) {
-    ParticleStyle style = plain();
-    style.total = 2; // at 0.5 and 1, dead at 4
-    ParticleSource source = started(style);
-    source.start = 10.0;
-    source.period = 1.5;
-    SourceStarts starts = startsAt(style, source, 20.0);
-    EXPECT_EQ(starts.last, 6) << "the one that starts at 19";
-    EXPECT_EQ(starts.first, 4) << "the one that started at 16 has its last until 20";
-    EXPECT_EQ(startsAt(style, source, 9.0).last, -1) << "and it has been going round before, too";
-    source.gone = 1.0;
-    EXPECT_EQ(startsAt(style, source, 20.0).first, 6);
-    source.period = 0.0;
-    starts = startsAt(style, source, 9.0);
-    EXPECT_GT(starts.first, starts.last);
-    EXPECT_EQ(startsAt(style, source, 10.0).last, 0);
-    source.period = 1e-30;
-    source.gone = kNeverEnds;
-    starts = startsAt(style, source, 20.0);
-    EXPECT_LE(starts.last - starts.first, 64) << "no more than are worth showing";
 }
 
 TEST(Particles, standStillWhereTheyWereBorn) {
@@ -220,6 +72,16 @@ TEST(Particles, explodeFromOnePointToAllSides) {
     expectNear(offsetAt(style, 2.0), {0, 0, -4}); // t (t B)
 }
 
+TEST(Particles, explosionsRiseByTheThirdComponentOfA) {
+    ParticleStyle style = plain(ParticleType::Explode);
+    style.c = {{1, 1, 1}, 1.0, 1.0};
+    style.a = {{1, 100, 0}, 1.0, 1.0};
+    const Vec3 flat = offsetAt(style, 1.0);
+    style.a.vector.z = 10000.0;
+    expectNear(offsetAt(style, 1.0) - flat, {0, 0, 10000});
+    expectNear(offsetAt(style, 2.0) - 2.0 * flat, {0, 0, 20000});
+}
+
 TEST(Particles, turnByTheirThirdVectorWhereTheirTypeSaysSo) {
     const Quat born = glm::angleAxis(std::numbers::pi / 2, Vec3(0, 0, 1));
     const auto at = [&](ParticleType type) {
@@ -266,9 +128,11 @@ TEST(Particles, liveAndScaleWithinTheirSpread) {
     ParticleStyle style = plain();
     style.lifeSpread = 1.0;
     style.scale = {2.0f, 2.0f, 0.5f};
+    style.most = 100; // a place is always free
+    const ParticleSource source = started(style);
     double least = 10.0, most = 0.0;
     for (std::int64_t n = 0; n < 500; ++n) {
-        const double life = lifeOf(style, {9, n});
+        const double life = Births(style, source).lifeOf(style, {9, n});
         least = std::min(least, life);
         most = std::max(most, life);
         const double scale = particleAt(style, {9, n}, 0.0, life, {1, 0, 0, 0}, {}).scale;
@@ -279,7 +143,7 @@ TEST(Particles, liveAndScaleWithinTheirSpread) {
     EXPECT_NEAR(most, 4.0, 0.02);
     style.lifeSpread = 10.0;
     for (std::int64_t n = 0; n < 50; ++n)
-        EXPECT_GE(lifeOf(style, {9, n}), 0.0);
+        EXPECT_GE(Births(style, source).lifeOf(style, {9, n}), 0.0);
 }
 
 TEST(Particles, differByStartAndSource) {
@@ -311,7 +175,7 @@ TEST(Particles, neverLeaveTheirReach) {
         const double reach = world::particleReach(style, offset);
         double farthest = 0.0;
         for (std::int64_t n = 0; n < 300; ++n) {
-            const double life = lifeOf(style, {1, n});
+            const double life = Births(style, started(style)).lifeOf(style, {1, n});
             for (double share = 0.0; share <= 1.0; share += 0.125) {
                 const ParticleState state =
                     particleAt(style, {1, n}, share * life, life, {1, 0, 0, 0}, offset);
@@ -334,7 +198,7 @@ TEST(ParticleStyles, makeSenseOfAnyRecord) {
     std::optional<ParticleStyle> style = world::particleStyleOf(record);
     ASSERT_TRUE(style);
     EXPECT_EQ(style->initial, 5u) << "no more than may live";
-    EXPECT_NEAR(style->interval, 1.0 / 60.0, 1e-12) << "one a frame";
+    EXPECT_NEAR(style->interval, 0.001, 1e-12) << "more than a thousand a second is no rate";
     EXPECT_EQ(style->a.vector, Vec3(0.0));
     EXPECT_EQ(style->type, ParticleType::Still);
     EXPECT_TRUE(style->isEndless());

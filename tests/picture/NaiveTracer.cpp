@@ -134,7 +134,7 @@ bool NaiveTracer::isHole(const Triangle& triangle, double v, double w) const {
     };
     const std::size_t at =
         (std::size_t{texel(uv.y, image.height)} * image.width + texel(uv.x, image.width)) * 4 + 3;
-    return image.rgba[at] < 128;
+    return image.rgba[at] < (image.isIndexed ? 100 : 200);
 }
 
 double NaiveTracer::meets(const Triangle& triangle, const Ray& ray, double& v, double& w) {
@@ -196,7 +196,7 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
     for (std::uint32_t i = from.firstPortal; i < from.firstPortal + from.portalCount; ++i) {
         const world::Portal& portal = world_.portals[i];
         const double speed = glm::dot(portal.plane.n, ray.direction);
-        if (dynamics_.isClosed(i) || speed >= 0.0 ||
+        if (portal.walled || dynamics_.isClosed(i) || speed >= 0.0 ||
             (cameBy != world::kNone && world_.portals[cameBy].reciprocal == i))
             continue;
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);

@@ -50,6 +50,37 @@ TEST(Rule, everyRayFromInsideAClosedCellEndsInIt) {
     }
 }
 
+TEST(Rule, anOpaquePictureInAnOpeningEndsRaysFromItsSide) {
+    TestWorld::LinkOptions options;
+    options.surface = "painted door";
+    TwoRooms rooms(options);
+    const TracedWorld traced(rooms.world);
+    const world::SpaceIndex west = traced.space(rooms.world.id(rooms.west)),
+                            east = traced.space(rooms.world.id(rooms.east));
+    const Answer there = traced.trace(west, {1, 2, 11}, {1, 0, 0});
+    EXPECT_NEAR(there.t, 3.0, kExact);
+    EXPECT_EQ(there.space, west);
+    EXPECT_TRUE(traced.isShell(there.id, west));
+    const Answer back = traced.trace(east, {7, 2, 11}, {-1, 0, 0});
+    EXPECT_NEAR(back.t, 7.0, kExact) << "the western wall: the picture shows its back";
+    EXPECT_EQ(back.space, west);
+}
+
+TEST(Rule, aTransparentPictureInAnOpeningIsALayer) {
+    TestWorld::LinkOptions options;
+    options.surface = "pane";
+    TestWorld source;
+    source.solid("pane", 0xFF80A0C0u, dat::Surface::kTranslucent, 0.5f);
+    const auto a = source.addBox({0, 0, 10}, {4, 4, 13}), b = source.addBox({4, 0, 10}, {8, 4, 13});
+    source.link(a, rectangle({4, 1.5, 10}, {4, 2.5, 12}), b, options);
+    const TracedWorld traced(source);
+    const Answer through = traced.trace(traced.space(source.id(a)), {1, 2, 11}, {1, 0, 0});
+    EXPECT_NEAR(through.t, 7.0, kExact);
+    EXPECT_EQ(through.layers.count, 1u);
+    const Answer back = traced.trace(traced.space(source.id(b)), {7, 2, 11}, {-1, 0, 0});
+    EXPECT_EQ(back.layers.count, 0u) << "it is one-sided";
+}
+
 TEST(Rule, aDoorLeadsIntoTheNextRoomAndAWallDoesNot) {
     TwoRooms rooms;
     const TracedWorld traced(rooms.world);
@@ -205,12 +236,12 @@ TEST(Rule, aOneWayPortalLeadsThroughAndIsAHoleFromBehind) {
 }
 
 TEST(Rule, aTexelOfACutOutDecides) {
-    // 4 × 1 texels, alpha 255, 128, 127, 0: two count, two do not. The panel looks west, so that u falls
+    // 4 × 1 texels, alpha 255, 200, 199, 0: two count, two do not. The panel looks west, so that u falls
     // along y.
     TestWorld source;
     dat::RenderSurface image = solidImage(4, 1, 0xFFFFFFFFu);
-    image.pixels[4 * 1 + 3] = 128;
-    image.pixels[4 * 2 + 3] = 127;
+    image.pixels[4 * 1 + 3] = 200;
+    image.pixels[4 * 2 + 3] = 199;
     image.pixels[4 * 3 + 3] = 0;
     source.picture("bars", image, dat::Surface::kBase1ClipMap);
     const auto cell = source.addBox({0, 0, 10}, {4, 4, 14});

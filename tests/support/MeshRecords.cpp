@@ -13,6 +13,7 @@ std::uint16_t MeshRecords::add(std::span<const Vec3> points, std::int16_t surfac
     const Vec3 v = glm::cross(normal, u);
     dat::Polygon polygon;
     polygon.sides = twoSided ? 1 : 0;
+    polygon.stippling = dat::kRepeatPositive; // texture coordinates are metres
     polygon.posSurface = surface;
     for (const Vec3& p : points) {
         dat::Vertex vertex;

@@ -17,6 +17,14 @@ dat::RenderSurface solidImage(std::int32_t width, std::int32_t height, std::uint
 std::uint32_t TestWorld::solid(const std::string& name, std::uint32_t argb, std::uint32_t extraType,
                                float translucency) {
     dat::Surface surface;
+    surface.type = dat::Surface::kBase1Image | extraType;
+    surface.translucency = translucency;
+    return addPictured(name, solidImage(4, 4, argb | 0xFF000000u), surface);
+}
+
+std::uint32_t TestWorld::plain(const std::string& name, std::uint32_t argb, std::uint32_t extraType,
+                               float translucency) {
+    dat::Surface surface;
     surface.type = dat::Surface::kBase1Solid | extraType;
     surface.colour.argb = argb;
     surface.translucency = translucency;
@@ -34,8 +42,22 @@ std::uint32_t TestWorld::luminous(const std::string& name, float luminosity, flo
     return surfaces_[name] = nextSurface_++;
 }
 
+std::string TestWorld::portalSurface(const std::string& name) {
+    const std::string none = "(no picture)";
+    if (name.empty() && !surfaces_.contains(none))
+        plain(none, 0xFFC8C8C8u);
+    return name.empty() ? none : name;
+}
+
 std::uint32_t TestWorld::picture(const std::string& name, const dat::RenderSurface& image,
                                  std::uint32_t type) {
+    dat::Surface surface;
+    surface.type = type;
+    return addPictured(name, image, surface);
+}
+
+std::uint32_t TestWorld::addPictured(const std::string& name, const dat::RenderSurface& image,
+                                     dat::Surface surface) {
     dat::RenderSurface stored = image;
     stored.id = nextImage_++;
     portalFile_.add(stored);
@@ -43,8 +65,6 @@ std::uint32_t TestWorld::picture(const std::string& name, const dat::RenderSurfa
     texture.id = nextTexture_++;
     texture.images = {stored.id};
     portalFile_.add(texture);
-    dat::Surface surface;
-    surface.type = type;
     surface.texture = texture.id;
     portalFile_.add(nextSurface_, surface);
     return surfaces_[name] = nextSurface_++;

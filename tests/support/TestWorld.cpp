@@ -87,7 +87,7 @@ TestWorld::Portal TestWorld::addPortal(Cell handle, std::vector<Vec3> polygon, c
     if (options.insideIsPositive != options.wrongSideFlag)
         portal.flags |= dat::CellPortal::kPortalSide;
     cell.record.portals.push_back(portal);
-    cell.portals.push_back(std::move(polygon));
+    cell.portals.push_back({std::move(polygon), options.surface, options.twoSided});
     return {handle, portal.polygonId};
 }
 
@@ -95,7 +95,9 @@ std::pair<TestWorld::Portal, TestWorld::Portal> TestWorld::link(Cell a, std::vec
                                                                 const LinkOptions& options) {
     const std::vector<Vec3> other = options.polygonInB.empty() ? polygon : options.polygonInB;
     const Portal pa = addPortal(a, std::move(polygon), options, static_cast<std::uint16_t>(id(b) & 0xFFFF));
-    const Portal pb = addPortal(b, other, options, static_cast<std::uint16_t>(id(a) & 0xFFFF));
+    LinkOptions inB = options;
+    inB.surface = options.surfaceInB;
+    const Portal pb = addPortal(b, other, inB, static_cast<std::uint16_t>(id(a) & 0xFFFF));
     if (!options.oneWay) {
         cells_[a].record.portals[pa.index].otherPortalId = pb.index;
         cells_[b].record.portals[pb.index].otherPortalId = pa.index;
@@ -136,11 +138,10 @@ std::uint32_t TestWorld::addBuilding(Walls exterior, std::vector<Portal> exits,
     for (std::size_t i = 0; i < openings.size(); ++i) {
         for (Vec3& p : openings[i])
             p += options.portalShift;
-        const auto polygonId =
-            mesh.add(toLocal(options.frame, openings[i]), options.portalPolygonsDrawn ? 0 : -1, false);
+        const auto polygonId = mesh.add(toLocal(options.frame, openings[i]),
+                                        slots.slot(portalSurface(options.portalSurface)), false);
         const auto index = static_cast<std::uint16_t>(i);
-        port.portals.push_back(options.swapPortalRefs ? dat::PortalRef{index, polygonId}
-                                                      : dat::PortalRef{polygonId, index});
+        port.portals.push_back(dat::PortalRef{polygonId, index});
     }
     dat::GfxObj model;
     model.id = nextModel_++;
@@ -222,10 +223,11 @@ dat::CellStruct TestWorld::cellStruct(CellData& cell) {
     MeshRecords mesh;
     std::vector<Plane> planes;
     dat::CellStruct shape;
-    for (std::size_t i = 0; i < cell.portals.size(); ++i) {
-        const std::vector<Vec3> local = toLocal(cell.record.position, cell.portals[i]);
-        // The polygon has a surface, as some of the game's have. It must not be drawn.
-        shape.portalPolygons.push_back(mesh.add(local, 0, false));
+    for (const PortalPolygon& portal : cell.portals) {
+        const std::vector<Vec3> local = toLocal(cell.record.position, portal.points);
+        // The polygon has a surface, as most of the game's have.
+        shape.portalPolygons.push_back(
+            mesh.add(local, slots.slot(portalSurface(portal.surface)), portal.twoSided));
     }
     for (const Wall& wall : cell.walls) {
         const std::vector<Vec3> local = toLocal(cell.record.position, wall.points);
@@ -234,8 +236,8 @@ dat::CellStruct TestWorld::cellStruct(CellData& cell) {
             planes.push_back(plane);
     }
     const Vec3 centre = toLocal(cell.record.position, centreOf(cell.walls));
-    for (const std::vector<Vec3>& portal : cell.portals) {
-        Plane plane = planeOf(toLocal(cell.record.position, portal));
+    for (const PortalPolygon& portal : cell.portals) {
+        Plane plane = planeOf(toLocal(cell.record.position, portal.points));
         if (plane.signedDistance(centre) < 0.0)
             plane = plane.flipped();
         if (!known(planes, plane))

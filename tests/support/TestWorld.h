@@ -35,11 +35,13 @@ public:
         std::optional<dat::BspTree> tree; ///< replaces it
     };
     struct LinkOptions {
-        bool exact = true;            ///< flag bit 0, on both sides
-        bool insideIsPositive = true; ///< winding of the polygon, and flag bit 1 with it
-        bool wrongSideFlag = false;   ///< flag bit 1 contradicts the winding
-        bool oneWay = false;          ///< the second cell gets an opening but no link back
-        std::vector<Vec3> polygonInB; ///< a different opening in the second cell; empty: the same
+        bool exact = true;               ///< flag bit 0, on both sides
+        bool insideIsPositive = true;    ///< winding of the polygon, and flag bit 1 with it
+        bool wrongSideFlag = false;      ///< flag bit 1 contradicts the winding
+        bool oneWay = false;             ///< the second cell gets an opening but no link back
+        std::vector<Vec3> polygonInB;    ///< a different opening in the second cell; empty: the same
+        std::string surface, surfaceInB; ///< of the portal polygons; empty: one without a picture
+        bool twoSided = false;           ///< the portal polygons
     };
     /// A portal by its cell and its index in the cell's list.
     struct Portal {
@@ -49,21 +51,26 @@ public:
     struct BuildingOptions {
         std::optional<dat::BlockCoord> block;
         dat::Frame frame;
-        Vec3 portalShift{0.0};           ///< moves the building's own portal polygons away from the cells'
-        bool portalPolygonsDrawn = true; ///< gives them a surface, which must not be drawn
-        bool swapPortalRefs = false;     ///< writes (portalIndex, polygonId)
+        Vec3 portalShift{0.0};     ///< moves the building's own portal polygons away from the cells'
+        std::string portalSurface; ///< of the portal polygons; empty: one without a picture
     };
 
     explicit TestWorld(dat::BlockCoord home = {0x20, 0x30});
 
     [[nodiscard]] dat::BlockCoord home() const { return home_; }
 
-    // --- surfaces: used by name; an unknown name becomes a solid surface with a colour derived from the name
+    // --- surfaces: used by name; an unknown name gets a picture of one colour, which is derived from the name
+    /// A surface with a picture of one colour.
     std::uint32_t solid(const std::string& name, std::uint32_t argb, std::uint32_t extraType = 0,
+                        float translucency = 0);
+    /// A surface without a picture. Cells and buildings do not draw it, objects draw its colour.
+    std::uint32_t plain(const std::string& name, std::uint32_t argb, std::uint32_t extraType = 0,
                         float translucency = 0);
     std::uint32_t picture(const std::string& name, const dat::RenderSurface& image, std::uint32_t type);
     std::uint32_t luminous(const std::string& name, float luminosity, float diffuse, std::uint32_t extraType);
     [[nodiscard]] std::uint32_t surfaceId(const std::string& name);
+    /// The SurfaceTexture id of the next picture.
+    [[nodiscard]] std::uint32_t nextTexture() const { return nextTexture_; }
 
     // --- cells
     Cell addBox(const Vec3& min, const Vec3& max, const std::string& surface = "grey") {
@@ -92,7 +99,7 @@ public:
     Portal openOutside(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options);
     /// The polygon of a portal as stored: block-local, with the winding of LinkOptions.
     [[nodiscard]] const std::vector<Vec3>& polygon(Portal portal) const {
-        return cells_[portal.cell].portals[portal.index];
+        return cells_[portal.cell].portals[portal.index].points;
     }
 
     // --- outdoors
@@ -129,17 +136,25 @@ public:
     [[nodiscard]] Result<void> write(const std::filesystem::path& directory);
 
 private:
+    struct PortalPolygon {
+        std::vector<Vec3> points;
+        std::string surface;
+        bool twoSided = false;
+    };
     struct CellData {
         dat::EnvCell record;
         dat::BlockCoord block;
         Walls walls;
-        std::vector<std::vector<Vec3>> portals;
+        std::vector<PortalPolygon> portals;
         bool bsp = true;
         std::optional<dat::BspTree> tree;
     };
     Portal addPortal(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options,
                      std::uint16_t otherCell);
     [[nodiscard]] dat::CellStruct cellStruct(CellData& cell);
+    std::uint32_t addPictured(const std::string& name, const dat::RenderSurface& image, dat::Surface surface);
+    /// The name, or that of a surface without a picture.
+    std::string portalSurface(const std::string& name);
     void addSolidTexture(std::uint32_t texture, std::uint32_t image, std::uint32_t argb);
     void makeRegion();
 

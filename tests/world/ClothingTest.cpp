@@ -11,7 +11,6 @@ using testing::ElementsAre;
 
 constexpr std::uint32_t kTable = 0x10000001, kSet = 0x0F000001, kBase = 0x04000001, kRed = 0x04000002,
                         kBlue = 0x04000003;
-constexpr std::uint32_t kCoat = 0x05000100, kShirt = 0x05000101; ///< the first pictures of a TestWorld
 
 /// Eight colours: the index in red, `kind` in green.
 dat::Palette paletteOf(std::uint32_t id, std::uint32_t kind) {
@@ -26,14 +25,15 @@ dat::Palette paletteOf(std::uint32_t id, std::uint32_t kind) {
 struct Wardrobe {
     test::MovingHut hut;
     std::uint32_t setup = 0, plainCube = 0;
+    std::uint32_t coat = 0, shirt = 0; ///< SurfaceTexture ids
     dat::ClothingTable table;
 
     Wardrobe() {
         for (const auto& [id, kind] : {std::pair{kBase, 1u}, {kRed, 2u}, {kBlue, 3u}})
             hut.source.portalFile().add(paletteOf(id, kind));
         hut.source.portalFile().add(dat::PaletteSet{kSet, {kRed, kBlue}});
-        addPicture("coat", dat::PixelFormat::P8, {0, 1, 4, 7});
-        addPicture("shirt", dat::PixelFormat::Index16, {5, 0, 5, 0, 1, 0, 1, 0});
+        coat = addPicture("coat", dat::PixelFormat::P8, {0, 1, 4, 7});
+        shirt = addPicture("shirt", dat::PixelFormat::Index16, {5, 0, 5, 0, 1, 0, 1, 0});
         const std::uint32_t cube = hut.source.addModel(test::boxExterior({0, 0, 0}, {1, 1, 1}, "coat"));
         plainCube = hut.source.addModel(test::boxExterior({-1, -1, 0}, {1, 1, 2}, "wool"));
         dat::Setup both;
@@ -42,13 +42,16 @@ struct Wardrobe {
         hut.moving.villagers[0].model = setup;
         table.id = kTable;
     }
-    void addPicture(const std::string& name, dat::PixelFormat format, std::vector<std::uint8_t> pixels) {
+    std::uint32_t addPicture(const std::string& name, dat::PixelFormat format,
+                             std::vector<std::uint8_t> pixels) {
         dat::RenderSurface image;
         image.width = image.height = 2;
         image.format = format;
         image.pixels = std::move(pixels);
         image.defaultPalette = kBase;
+        const std::uint32_t texture = hut.source.nextTexture();
         hut.source.picture(name, image, dat::Surface::kBase1Image);
+        return texture;
     }
     World load() {
         hut.source.portalFile().add(table);
@@ -92,7 +95,7 @@ TEST(Clothing, takesTheShadeOfASetOrAPaletteByItself) {
 
 TEST(Clothing, changesTexturesOfOnePartOnly) {
     Wardrobe wardrobe;
-    wardrobe.table.parts.entries = {{wardrobe.setup, {{1, 0, {{kCoat, kShirt}}}}}};
+    wardrobe.table.parts.entries = {{wardrobe.setup, {{1, 0, {{wardrobe.coat, wardrobe.shirt}}}}}};
     wardrobe.table.palettes.entries = {{5, {0, {{{{5, 1}}, kRed}}}}};
     wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, 0.0}};
     const World world = wardrobe.load();
@@ -111,6 +114,51 @@ TEST(Clothing, changesMeshesOfParts) {
     EXPECT_EQ(world.movingParts[body.firstPart].record, wardrobe.plainCube);
     EXPECT_NE(world.movingParts[body.firstPart + 1].record, wardrobe.plainCube);
     EXPECT_GE(body.bounds.radius, 1.7) << "the sphere contains the clothes";
+}
+
+TEST(Clothing, hasOneBasePaletteForAllIndexedPicturesOfABody) {
+    Wardrobe wardrobe;
+    wardrobe.table.parts.entries = {{wardrobe.setup, {{1, 0, {{wardrobe.coat, wardrobe.shirt}}}}}};
+    wardrobe.table.palettes.entries = {{5, {0, {{{{1, 1}}, kRed}}}}};
+    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, 0.0}};
+    wardrobe.hut.moving.villagers[0].basePalette = kBlue;
+    const World world = wardrobe.load();
+    EXPECT_EQ(texelsOf(world, 0), (Texels{{0, 3}, {1, 2}, {4, 3}, {7, 3}}));
+    EXPECT_EQ(texelsOf(world, 1), (Texels{{5, 3}, {5, 3}, {1, 2}, {1, 2}})) << "INDEX16 as well";
+}
+
+/// Part 0 in two garments, each a swap with texture changes.
+Dress dressInTwo(const std::vector<dat::PartChange>& first, const std::vector<dat::PartChange>& second) {
+    Wardrobe wardrobe;
+    dat::ClothingTable under = wardrobe.table, over = wardrobe.table;
+    over.id = kTable + 1;
+    under.parts.entries = {{wardrobe.setup, first}};
+    over.parts.entries = {{wardrobe.setup, second}};
+    wardrobe.hut.source.portalFile().add(under);
+    wardrobe.hut.source.portalFile().add(over);
+    const test::TempDir directory;
+    EXPECT_TRUE(wardrobe.hut.source.write(directory.path()));
+    const Result<dat::Archive> archive = dat::Archive::open(directory.path());
+    Records records(*archive);
+    const std::vector<ClothingEntry> garments{{kTable, 0, 0.0}, {kTable + 1, 0, 0.0}};
+    return dressOf(wardrobe.setup, {garments, 0}, records);
+}
+
+TEST(Clothing, swapsAllPartsBeforeItChangesTextures) {
+    const Wardrobe same;
+    const std::uint32_t cube = same.plainCube;
+    const Dress dress =
+        dressInTwo({{0, 0, {{same.coat, same.shirt}}}}, {{0, cube, {{same.shirt, same.coat}}}});
+    const DressedPart* part = dress.part(0);
+    ASSERT_NE(part, nullptr);
+    EXPECT_EQ(part->gfxObj, cube);
+    ASSERT_EQ(part->textures.size(), 2u) << "the earlier garment's change acts on the later mesh, too";
+    EXPECT_EQ(part->textures[0].to, same.shirt);
+}
+
+TEST(Clothing, aSwapToAMissingMeshKeepsTheLimb) {
+    const std::uint32_t cube = Wardrobe().plainCube;
+    EXPECT_EQ(dressInTwo({{0, cube, {}}}, {{0, 0x0100FFFF, {}}}).part(0)->gfxObj, cube);
 }
 
 TEST(Clothing, isSharedByEqualVillagersAndDoesNotAffectOthers) {

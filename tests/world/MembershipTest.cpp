@@ -49,6 +49,21 @@ TEST(Membership, anObjectInADoorwayIsInBothSpacesPlacedFirst) {
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), InstanceKind::Static), ElementsAre(2u, 1u));
 }
 
+TEST(Membership, aPictureInADoorwayStopsAnObjectFromItsSide) {
+    for (const bool fromWest : {true, false}) {
+        TestWorld source;
+        const auto west = source.addBox({10, 10, 2}, {14, 14, 5}),
+                   east = source.addBox({14, 10, 2}, {18, 14, 5});
+        TestWorld::LinkOptions options;
+        options.surface = "painted door";
+        source.link(west, rectangle({14, 11.5, 2}, {14, 12.5, 4}), east, options);
+        const auto sphere = source.addModel(test::boxExterior({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
+        source.addStatic(fromWest ? west : east, sphere, test::frameAt({14, 12, 3}));
+        const auto members = membersOf(test::loadTestWorld(source), InstanceKind::Static);
+        EXPECT_EQ(members.size(), fromWest ? 1u : 2u);
+    }
+}
+
 TEST(Membership, aWallStopsAnObjectThatPokesThroughIt) {
     Row row;
     row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({14.1, 13.5, 3}));

@@ -170,5 +170,29 @@ TEST(LevelBands, areDividedByTheScalesZ) {
     EXPECT_EQ(levelRangeOf({100, 150}, std::nan("")), levelRangeOf({100, 150}, 1.0));
 }
 
+/// Vectors of the emitter's reach: the second-last level, or the only one; 100 m without levels.
+TEST(Models, emittersReachTheSecondLastLevelOfTheirMesh) {
+    const auto reachOf = [](const std::vector<dat::DegradeLevel>& levels) {
+        test::TestWorld source;
+        const std::uint32_t mesh = source.addModel(test::boxExterior({0, 0, 0}, {1, 1, 1}), levels);
+        const test::TempDir directory;
+        EXPECT_TRUE(source.write(directory.path()));
+        const Result<dat::Archive> archive = dat::Archive::open(directory.path());
+        Records records(*archive);
+        return Models(records).particleBand(mesh);
+    };
+    const float max = std::numeric_limits<float>::max();
+    EXPECT_EQ(
+        reachOf({{kItself, kMesh, 0, 10, 20}, {kItself, kMesh, 0, 30, 40}, {kItself, kMesh, 0, 60, max}}),
+        (LevelBand{0.0, 40.0}));
+    EXPECT_EQ(reachOf({{kItself, kMesh, 0, 10, 20}, {kItself, kMesh, 0, 30, max}}), (LevelBand{0.0, 20.0}));
+    EXPECT_EQ(reachOf({}), (LevelBand{0.0, 100.0}));
+}
+
+TEST(Models, aFirstLevelUpToNoDistanceIsNeverDrawn) {
+    Levels levels({{kItself, kMesh, 0, 0, 0}, {kSecond, kMesh, 0, 10, 20}, {0, kMesh, 0, 0, 0}});
+    EXPECT_EQ(idsOf(levels.model(levels.first).parts), (Ids{kSecond}));
+}
+
 } // namespace
 } // namespace limen::world

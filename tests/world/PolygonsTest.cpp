@@ -1,5 +1,7 @@
 #include "support/LoadTestWorld.h"
+#include "world/mesh/PolygonMesher.h"
 #include "world/records/PolygonSource.h"
+#include "world/records/Pose.h"
 
 namespace limen::world {
 namespace {
@@ -27,7 +29,7 @@ dat::Polygon quad() {
 
 std::vector<SourcePolygon> read(const dat::Polygon& polygon, std::vector<Finding>& findings,
                                 std::set<std::uint16_t> portals = {}) {
-    return readPolygons(square(), {{7, polygon}}, 2, portals, 0x01000001, findings);
+    return readPolygons(square(), {{7, polygon}}, {true, true, false}, portals, 0x01000001, findings);
 }
 
 TEST(ReadPolygons, followsTheSidesRule) {
@@ -47,24 +49,63 @@ TEST(ReadPolygons, followsTheSidesRule) {
     const auto both = read(polygon, findings);
     EXPECT_EQ(both[0].backSlot, 1);
     EXPECT_EQ(both[0].corners[0].back, Vec2f(0.75f));
-    polygon.stippling = dat::kNoNegativeUv;
-    EXPECT_EQ(read(polygon, findings)[0].backSlot, -1);
     EXPECT_TRUE(findings.empty());
+}
+
+TEST(ReadPolygons, stipplingSaysRepeatAndThatNoUvsFollow) {
+    std::vector<Finding> findings;
+    dat::Polygon polygon = quad();
+    polygon.sides = 2;
+    polygon.negSurface = 1;
+    for (const bool front : {false, true}) {
+        for (const bool back : {false, true}) {
+            polygon.stippling = static_cast<std::uint8_t>((front ? dat::kRepeatPositive : 0) |
+                                                          (back ? dat::kRepeatNegative : 0));
+            const auto sides = read(polygon, findings);
+            EXPECT_EQ(sides[0].frontRepeats, front);
+            EXPECT_EQ(sides[0].backRepeats, back);
+        }
+    }
+    polygon.stippling = dat::kNoPositiveUv | dat::kNoNegativeUv;
+    polygon.posUv.clear();
+    const auto bare = read(polygon, findings);
+    ASSERT_EQ(bare.size(), 1u) << "no bit hides a polygon";
+    EXPECT_EQ(bare[0].frontSlot, 0);
+    EXPECT_EQ(bare[0].backSlot, 1);
+    EXPECT_EQ(bare[0].corners[1].front, Vec2f(0.25f)) << "the first UV of each vertex";
+    EXPECT_EQ(bare[0].corners[1].back, Vec2f(0.25f));
+    EXPECT_TRUE(findings.empty());
+}
+
+TEST(ReadPolygons, aSurfaceWithoutAPictureIsDrawnOnThingsOnly) {
+    test::TestWorld source;
+    const std::vector<dat::RecordId> surfaces{source.solid("wall", 0xFF808080),
+                                              source.plain("bare", 0xFFC8C8C8), 0x0800FFFF};
+    const test::TempDir directory;
+    ASSERT_TRUE(source.write(directory.path()));
+    auto archive = dat::Archive::open(directory.path());
+    ASSERT_TRUE(archive);
+    Records records(*archive);
+    EXPECT_EQ(drawnSlots(surfaces, MeshOwner::Thing, records), (std::vector<bool>{true, true, true}));
+    EXPECT_EQ(drawnSlots(surfaces, MeshOwner::Structure, records), (std::vector<bool>{true, false, true}));
 }
 
 TEST(ReadPolygons, leavesOutPolygonsThatAreNotDrawn) {
     std::vector<Finding> findings;
-    dat::Polygon helper = quad();
-    helper.stippling = dat::kNoPositiveUv;
-    EXPECT_TRUE(read(helper, findings).empty());
     dat::Polygon bare = quad();
     bare.posSurface = -1;
     EXPECT_TRUE(read(bare, findings).empty());
-    bare.posSurface = 2;
+    bare.posSurface = 3;
     EXPECT_TRUE(read(bare, findings).empty()) << "no such surface";
-    const auto portal = read(quad(), findings, {7});
-    ASSERT_EQ(portal.size(), 1u);
-    EXPECT_FALSE(portal[0].isDrawn());
+    bare.posSurface = 2;
+    EXPECT_TRUE(read(bare, findings).empty()) << "a surface that is not drawn";
+    const auto opening = read(bare, findings, {7});
+    ASSERT_EQ(opening.size(), 1u) << "a portal is read in any case";
+    EXPECT_FALSE(opening[0].isDrawn());
+    const auto filled = read(quad(), findings, {7});
+    ASSERT_EQ(filled.size(), 1u);
+    EXPECT_TRUE(filled[0].isDrawn());
+    EXPECT_TRUE(filled[0].isPortal);
     EXPECT_TRUE(findings.empty());
 }
 
@@ -76,7 +117,7 @@ TEST(ReadPolygons, reportsDamage) {
     EXPECT_EQ(findings.size(), 1u);
     dat::VertexArray broken = square();
     broken.vertices[0].second.position.x = std::nanf("");
-    EXPECT_TRUE(readPolygons(broken, {{7, quad()}}, 2, {}, 1, findings).empty());
+    EXPECT_TRUE(readPolygons(broken, {{7, quad()}}, {true}, {}, 1, findings).empty());
     EXPECT_EQ(findings.size(), 2u);
 }
 
@@ -84,7 +125,7 @@ TEST(ReadPolygons, findsVerticesByKeyInAnyOrder) {
     dat::VertexArray array = square();
     std::reverse(array.vertices.begin(), array.vertices.end());
     std::vector<Finding> findings;
-    const auto polygons = readPolygons(array, {{7, quad()}}, 2, {}, 1, findings);
+    const auto polygons = readPolygons(array, {{7, quad()}}, {true}, {}, 1, findings);
     ASSERT_EQ(polygons.size(), 1u);
     EXPECT_EQ(polygons[0].corners[1].position, Vec3(1, 0, 0));
 }
@@ -103,7 +144,8 @@ TEST(Meshes, drawTwoSidedPolygonsTwiceUnderOneNumber) {
     EXPECT_EQ(mesh.ranges[0].indexCount, 15u);
     for (std::uint32_t v = 0; v < 6; ++v) {
         EXPECT_EQ(world.vertices[mesh.firstVertex + v + 6].normal,
-                  -world.vertices[mesh.firstVertex + v].normal);
+                  world.vertices[mesh.firstVertex + v].normal)
+            << "both faces are lit by the front's normal";
         EXPECT_EQ(world.vertices[mesh.firstVertex + v + 6].polygon, 0);
     }
     for (std::uint32_t i = 0; i < mesh.ranges[0].indexCount; i += 3) {
@@ -111,12 +153,76 @@ TEST(Meshes, drawTwoSidedPolygonsTwiceUnderOneNumber) {
         for (std::uint32_t k = 0; k < 3; ++k)
             t[k] = &world.vertices[mesh.firstVertex + world.indices[mesh.ranges[0].firstIndex + i + k]];
         const Vec3f n = glm::cross(t[1]->position - t[0]->position, t[2]->position - t[0]->position);
-        EXPECT_GT(glm::dot(n, t[0]->normal), 0.0f);
+        const bool isBack = i >= 6 && i < 12;
+        EXPECT_EQ(glm::dot(n, t[0]->normal) > 0.0f, !isBack);
         for (std::uint32_t k = 0; k < 3; ++k) {
             EXPECT_EQ(t[k], t[0] + k) << "vertices come in threes";
             EXPECT_NEAR(glm::dot(t[k]->facet, glm::normalize(n)), 1.0f, 1e-6f);
         }
     }
+}
+
+/// A mesh of one polygon, with the slots of a thing.
+MeshData meshOf(const dat::VertexArray& vertices, const dat::PolygonList& polygons,
+                std::vector<bool>& clamped) {
+    std::vector<Finding> findings;
+    BakedGeometry geometry;
+    std::vector<std::uint32_t> handles;
+    for (SourcePolygon& polygon : readPolygons(vertices, polygons, {true, true, true}, {}, 1, findings))
+        handles.push_back(geometry.add(std::move(polygon), {}));
+    geometry.bake();
+    PolygonMesher mesher({SurfaceList::Opaque, SurfaceList::Opaque, SurfaceList::Opaque});
+    for (const std::uint32_t handle : handles)
+        mesher.add(geometry, handle);
+    clamped = mesher.clamped();
+    return mesher.finish();
+}
+
+TEST(Meshes, keepZeroNormals) {
+    dat::VertexArray vertices = square();
+    vertices.vertices[0].second.normal = Vec3f(0.0f);
+    std::vector<bool> clamped;
+    const MeshData mesh = meshOf(vertices, {{7, quad()}}, clamped);
+    std::size_t zero = 0;
+    for (const MeshVertex& vertex : mesh.vertices) {
+        const bool isFirst = vertex.position == Vec3f(0.0f);
+        EXPECT_EQ(vertex.normal, isFirst ? Vec3f(0.0f) : Vec3f(0, 0, 1));
+        zero += isFirst;
+    }
+    EXPECT_GT(zero, 0u);
+}
+
+TEST(Meshes, negateNormalsOfABackWithItsOwnSurfaceOnly) {
+    dat::Polygon polygon = quad();
+    polygon.sides = 2;
+    polygon.negSurface = 1;
+    std::vector<bool> clamped;
+    const MeshData mesh = meshOf(square(), {{7, polygon}}, clamped);
+    for (const MeshVertex& vertex : mesh.vertices)
+        EXPECT_EQ(vertex.normal, vertex.surface == 1 ? Vec3f(0, 0, -1) : Vec3f(0, 0, 1));
+}
+
+TEST(Meshes, repeatAPictureIfOneOfItsPolygonsDoes) {
+    dat::Polygon first = quad(), second = quad(), third = quad();
+    second.stippling = dat::kRepeatPositive;
+    third.posSurface = 1;
+    std::vector<bool> clamped;
+    (void)meshOf(square(), {{7, first}, {8, second}, {9, third}}, clamped);
+    EXPECT_EQ(clamped, (std::vector<bool>{false, true, true}));
+}
+
+TEST(Setups, areDisplayedByPlacement65Then0ThenTheIdentity) {
+    dat::AnimationFrame at1, at2;
+    at1.parts = {test::frameAt({1, 0, 0})};
+    at2.parts = {test::frameAt({2, 0, 0})};
+    dat::Setup setup;
+    setup.placementFrames = {{0, at1}, {0x65, at2}};
+    EXPECT_EQ(restOf(setup, 0).origin, Vec3(2, 0, 0));
+    setup.placementFrames = {{3, at2}, {0, at1}};
+    EXPECT_EQ(restOf(setup, 0).origin, Vec3(1, 0, 0));
+    setup.placementFrames = {{3, at2}};
+    EXPECT_EQ(restOf(setup, 0).origin, Vec3(0.0)) << "not the first one";
+    EXPECT_EQ(restOf(setup, 1).origin, Vec3(0.0));
 }
 
 TEST(Meshes, areSharedByContentAndPlacedBySetups) {
@@ -172,6 +278,25 @@ TEST(Meshes, shellsKnowTheWallBeyondEachEdge) {
     }
     EXPECT_EQ(corners, 4u) << "the western wall's edges";
     EXPECT_EQ(none, 2u) << "both sides of its diagonal";
+}
+
+TEST(Meshes, aPictureInAnOpeningIsNoWallBeyondAnEdge) {
+    const auto sumOfNeighbours = [](const std::string& picture) {
+        test::TestWorld source;
+        source.solid("pane", 0xFF80A0C0u, dat::Surface::kTranslucent, 0.5f);
+        const auto room = source.addBox({0, 0, 0}, {4, 3, 2}, "brown"),
+                   next = source.addBox({4, 0, 0}, {8, 3, 2});
+        test::TestWorld::LinkOptions options;
+        options.surface = picture;
+        source.link(room, test::rectangle({4, 1, 0}, {4, 2, 1.5}), next, options); // it touches the floor
+        const World world = test::loadTestWorld(source);
+        EXPECT_EQ(world.spaces[1].zone, world.spaces[2].zone);
+        Vec3 sum(0.0);
+        for (const MeshVertex& vertex : world.vertices)
+            sum += Vec3(vertex.neighbour);
+        return sum;
+    };
+    EXPECT_EQ(sumOfNeighbours("pane"), sumOfNeighbours(""));
 }
 
 TEST(Meshes, aShellThatIsAZoneOfItsOwnNeedsNoNeighbours) {

@@ -106,6 +106,58 @@ TEST(Portals, leadNowhereWhereTheCellDoesNotExist) {
     EXPECT_THAT(test::findingsOf(world), HasSubstr("does not exist"));
 }
 
+std::size_t trianglesOf(const World& world, SpaceIndex space, SurfaceClass surfaces) {
+    const Mesh& mesh = world.meshes[world.instances[world.spaces[space].shell].mesh];
+    return mesh.ranges[static_cast<std::size_t>(surfaces)].indexCount / 3;
+}
+
+TEST(Portals, anOpaquePictureIsAWallOfItsOwnSide) {
+    for (const bool positive : {true, false}) {
+        TwoRooms plain, rooms;
+        TestWorld::LinkOptions options;
+        options.insideIsPositive = positive;
+        plain.source.link(plain.a, kDoor, plain.b, options);
+        options.surface = "painted door";
+        options.twoSided = !positive; // a polygon wound outwards shows its back to the cell
+        rooms.source.link(rooms.a, kDoor, rooms.b, options);
+        const World open = test::loadTestWorld(plain.source), world = test::loadTestWorld(rooms.source);
+        EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
+        const Portal& there = firstPortal(world, 1);
+        const Portal& back = firstPortal(world, 2);
+        EXPECT_TRUE(there.walled);
+        EXPECT_FALSE(back.walled);
+        EXPECT_EQ(there.destination, 2u) << "bodies pass";
+        EXPECT_EQ(back.destination, 1u);
+        EXPECT_EQ(there.reciprocal, kNone);
+        EXPECT_EQ(back.reciprocal, kNone);
+        EXPECT_NE(world.spaces[1].zone, world.spaces[2].zone);
+        EXPECT_EQ(trianglesOf(world, 1, SurfaceClass::Opaque),
+                  trianglesOf(open, 1, SurfaceClass::Opaque) + (positive ? 2u : 4u));
+    }
+}
+
+TEST(Portals, aPictureThatFacesAwayIsNoWall) {
+    TwoRooms rooms;
+    TestWorld::LinkOptions options;
+    options.insideIsPositive = false;
+    options.surface = "painted door";
+    rooms.source.link(rooms.a, kDoor, rooms.b, options);
+    EXPECT_FALSE(firstPortal(test::loadTestWorld(rooms.source), 1).walled);
+}
+
+TEST(Portals, aTransparentPictureLeavesTheOpening) {
+    TwoRooms rooms;
+    rooms.source.solid("pane", 0xFF80A0C0u, dat::Surface::kTranslucent, 0.5f);
+    TestWorld::LinkOptions options;
+    options.surface = "pane";
+    rooms.source.link(rooms.a, kDoor, rooms.b, options);
+    const World world = test::loadTestWorld(rooms.source);
+    EXPECT_FALSE(firstPortal(world, 1).walled);
+    EXPECT_EQ(world.spaces[1].zone, world.spaces[2].zone);
+    EXPECT_EQ(trianglesOf(world, 1, SurfaceClass::Blended), 2u);
+    EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
+}
+
 TEST(Portals, severalBetweenTheSameCellsArePairedOneByOne) {
     TwoRooms rooms;
     for (int i = 0; i < 3; ++i)
@@ -171,11 +223,10 @@ struct Hut {
 };
 
 TEST(BuildingPortals, useTheCellsPolygonTurnedRound) {
-    for (const bool swapped : {false, true}) {
+    {
         Hut hut;
         TestWorld::BuildingOptions options;
         options.frame = test::frameAt({12, 12, 2}, 33);
-        options.swapPortalRefs = swapped;
         hut.source.addBuilding(test::boxExterior({10, 10, 2}, {14, 14, 5}), {hut.door}, options);
         const World world = test::loadTestWorld(hut.source);
         EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
@@ -191,6 +242,31 @@ TEST(BuildingPortals, useTheCellsPolygonTurnedRound) {
         ASSERT_EQ(a.size(), b.size());
         EXPECT_TRUE(std::equal(a.begin(), a.end(), b.rbegin()));
     }
+}
+
+TEST(BuildingPortals, aPictureInTheModelMakesAWallSeenFromOutside) {
+    Hut hut;
+    TestWorld::BuildingOptions options;
+    options.portalSurface = "painted door";
+    hut.source.addBuilding(test::boxExterior({10, 10, 2}, {14, 14, 5}), {hut.door}, options);
+    const World world = test::loadTestWorld(hut.source);
+    EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
+    EXPECT_TRUE(world.portals[0].walled);
+    EXPECT_FALSE(firstPortal(world, 1).walled) << "the cell's own polygon has no picture";
+    EXPECT_TRUE(world.spaces[1].ofBuilding);
+}
+
+TEST(BuildingPortals, aPictureInTheCellMakesAWallSeenFromInside) {
+    TestWorld source;
+    source.setFlatTerrain(source.home(), 1);
+    const auto room = source.addBox({10, 10, 2}, {14, 14, 5});
+    TestWorld::LinkOptions link;
+    link.surface = "painted door";
+    const auto door = source.openOutside(room, rectangle({11, 10, 2}, {12, 10, 4}), link);
+    source.addBuilding(test::boxExterior({10, 10, 2}, {14, 14, 5}), {door});
+    const World world = test::loadTestWorld(source);
+    EXPECT_FALSE(world.portals[0].walled);
+    EXPECT_TRUE(firstPortal(world, 1).walled);
 }
 
 TEST(BuildingPortals, aDifferentPolygonInTheModelIsReported) {
@@ -212,7 +288,7 @@ TEST(BuildingPortals, exitsWithoutABuildingAreOneWayAndReported) {
     EXPECT_THAT(test::findingsOf(world), HasSubstr("no building leads back"));
 }
 
-TEST(BuildingPortals, portalPolygonsAreNeverDrawn) {
+TEST(BuildingPortals, portalPolygonsWithoutAPictureAreNotDrawn) {
     Hut hut;
     hut.source.addBuilding(test::boxExterior({10, 10, 2}, {14, 14, 5}), {hut.door});
     const World world = test::loadTestWorld(hut.source);

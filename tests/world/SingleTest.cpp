@@ -32,7 +32,7 @@ TEST_F(Single, aModelIsAWorldOfItsOwn) {
 
 TEST_F(Single, picturesAreFoundBySurfaceTextureAndPicture) {
     const auto surface = source.picture("red", test::solidImage(4, 2, 0xFFFF0000), dat::Surface::kBase1Image);
-    const auto plain = source.solid("plain", 0xFF00FF00, 0, 0.0f);
+    const auto plain = source.plain("plain", 0xFF00FF00);
     const dat::Archive archive = open();
     const dat::RecordId texture = archive.load<dat::Surface>(surface)->texture;
     const dat::RecordId picture = archive.load<dat::SurfaceTexture>(texture)->images.at(0);

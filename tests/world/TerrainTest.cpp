@@ -1,8 +1,10 @@
 #include "world/terrain/Terrain.h"
 
+#include "geometry/Angles.h"
 #include "support/LoadTestWorld.h"
 #include "world/LandRandom.h"
 #include "world/terrain/Scenery.h"
+#include "world/terrain/SceneryFit.h"
 
 #include <gmock/gmock.h>
 
@@ -312,6 +314,62 @@ TEST(Scenery, scalesAndTurnsByChanceAndIgnoresWeenies) {
     Grove weenies;
     weenies.tree.weenieObj = 1;
     EXPECT_TRUE(Grove::trees(weenies.load()).empty());
+}
+
+TEST(Scenery, keepsThePitchOfItsBaseWhenItIsTurned) {
+    Grove grove;
+    const double pitch = -1.1 * kDegree;
+    grove.tree.baseLoc.orientation =
+        Quatf(static_cast<float>(std::cos(pitch / 2)), static_cast<float>(std::sin(pitch / 2)), 0.0f, 0.0f);
+    for (const bool isTurned : {false, true}) {
+        grove.tree.maxRotation = isTurned ? 360.0f : 0.0f;
+        Grove grown = grove;
+        const World world = grown.load();
+        double most = 0.0;
+        for (const Instance* tree : Grove::trees(world)) {
+            EXPECT_NEAR(tree->linear[1].z, std::sin(pitch), 1e-6);
+            EXPECT_NEAR(tree->linear[0].z, 0.0, 1e-6) << "no roll";
+            most = std::max(most, std::abs(static_cast<double>(tree->linear[1].x)));
+        }
+        EXPECT_EQ(most > 0.5, isTurned);
+    }
+}
+
+TEST(Scenery, leavesOutObjectsThatReachAcrossTheBlocksBorder) {
+    const Vec3 near(3.0, 100.0, 0.0);
+    const Quat upright(1.0, 0.0, 0.0, 0.0), turned = glm::angleAxis(180.0 * kDegree, Vec3(0, 0, 1));
+    TestWorld source;
+    const std::uint32_t mesh = source.addModel(test::boxExterior({-0.2, -0.2, 0}, {0.2, 0.2, 3}));
+    dat::Setup bare;
+    bare.parts = {mesh};
+    bare.sortingSphere = {Vec3f(1.0f, 0, 1), 3.5f};
+    dat::Setup solid = bare, round = bare, posts = bare;
+    solid.flags = dat::Setup::kPhysicsBsp;
+    solid.cylSpheres = {{Vec3f(0.0f), 0.1f, 1.0f}};
+    round.spheres = {{Vec3f(0.0f), 0.1f}};
+    posts.cylSpheres = {{Vec3f(0.0f), 0.1f, 1.0f}, {Vec3f(-2.0f, 0, 0), 0.9f, 1.0f}};
+    const std::uint32_t bareId = source.addSetup(bare), solidId = source.addSetup(solid),
+                        roundId = source.addSetup(round), postsId = source.addSetup(posts);
+    const test::TempDir directory;
+    ASSERT_TRUE(source.write(directory.path()));
+    const Result<dat::Archive> archive = dat::Archive::open(directory.path());
+    Records records(*archive);
+    const auto fits = [&](std::uint32_t model, const Vec3& at, const Quat& turn) {
+        return isWithinBlock(model, at, turn, records);
+    };
+    EXPECT_TRUE(fits(bareId, {0.01, 0.01, 0}, upright)) << "its origin counts";
+    EXPECT_FALSE(fits(bareId, {192.0, 1, 0}, upright));
+    for (const std::uint32_t model : {solidId, roundId}) {
+        EXPECT_TRUE(fits(model, near, upright)) << "the sorting sphere's middle is 4 m from the edge";
+        EXPECT_FALSE(fits(model, near, turned)) << "2 m";
+        EXPECT_FALSE(fits(model, {189, 100, 0}, upright));
+        EXPECT_FALSE(fits(model, {100, 3.4, 0}, upright));
+        EXPECT_FALSE(fits(model, {100, 188.6, 0}, upright));
+    }
+    EXPECT_TRUE(fits(postsId, near, upright)) << "the second post is 1 m from the edge";
+    EXPECT_FALSE(fits(postsId, {2.8, 100, 0}, upright));
+    EXPECT_TRUE(fits(postsId, {2.8, 100, 0}, turned));
+    EXPECT_TRUE(fits(0x02FFFFFF, near, upright)) << "a missing record is reported elsewhere";
 }
 
 } // namespace

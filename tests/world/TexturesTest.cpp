@@ -137,11 +137,30 @@ TEST(DecodeImage, refusesJpegsThatBreakOffOrAreTooLarge) {
     EXPECT_FALSE(decodeImage(picture(1, 1, PixelFormat::RawJpeg, {}), nullptr, {}));
 }
 
-TEST(DecodeImage, cutsOutBlackOfDxtClipMapsAndHandlesOddSizes) {
-    const Bytes black(8, 0);
-    const auto image = decodeImage(picture(3, 2, PixelFormat::Dxt1, black), nullptr, {true, false});
-    ASSERT_TRUE(image);
-    EXPECT_EQ(image->rgba, Bytes(24, 0));
+TEST(DecodeImage, keepsBlackOfDxtClipMapsAndHandlesOddSizes) {
+    const auto opaque = decodeImage(picture(3, 2, PixelFormat::Dxt1, {1, 0, 0, 0, 0x55, 0x55, 0x55, 0x55}),
+                                    nullptr, {true, false});
+    ASSERT_TRUE(opaque);
+    for (std::size_t i = 0; i < 24; ++i)
+        EXPECT_EQ(opaque->rgba[i], i % 4 == 3 ? 255 : 0) << "black by itself is not transparent";
+}
+
+TEST(DecodeImage, notesWhetherTexelsWereIndices) {
+    dat::Palette palette;
+    palette.colours.resize(256);
+    EXPECT_TRUE(decodeImage(picture(1, 1, PixelFormat::P8, {9}), &palette, {true, false})->isIndexed);
+    EXPECT_TRUE(decodeImage(picture(1, 1, PixelFormat::Index16, {9, 0}), &palette, {})->isIndexed);
+    EXPECT_FALSE(decodeImage(picture(1, 1, PixelFormat::A8, {9}), nullptr, {})->isIndexed);
+}
+
+TEST(DecodeImage, indicesBelow8OfClipMapsAreTransparent) {
+    dat::Palette palette;
+    palette.colours.assign(256, {0xFF102030u});
+    for (const std::uint8_t index : std::array<std::uint8_t, 4>{0, 7, 8, 255}) {
+        EXPECT_EQ(decodeImage(picture(1, 1, PixelFormat::P8, {index}), &palette, {true, false})->rgba[3],
+                  index < 8 ? 0 : 255);
+        EXPECT_EQ(decodeImage(picture(1, 1, PixelFormat::P8, {index}), &palette, {})->rgba[3], 255);
+    }
 }
 
 TEST(DecodeImage, refusesSizesThatDoNotFit) {
@@ -180,7 +199,7 @@ TEST(Materials, followTheSurfacesBits) {
     const auto cut = source.picture("cut", image, S::kBase1ClipMap);
     const auto additive = source.picture("additive", image, S::kBase1Image | S::kAdditive);
     const auto alpha = source.picture("alpha", image, S::kBase1Image | S::kAlpha);
-    const auto glass = source.solid("glass", 0xFF0000FF, S::kTranslucent, 0.25f);
+    const auto glass = source.plain("glass", 0xFF0000FF, S::kTranslucent, 0.25f);
     test::Walls walls = test::boxWalls({0, 0, 0}, {4, 4, 3});
     const char* names[] = {"opaque", "cut", "additive", "alpha", "glass", "missing"};
     for (std::size_t i = 0; i < 6; ++i)
@@ -199,7 +218,7 @@ TEST(Materials, followTheSurfacesBits) {
     const Mesh& shell = world.meshes[world.instances[world.spaces[1].shell].mesh];
     EXPECT_EQ(shell.ranges[0].indexCount, 12u) << "opaque, and the solid colour";
     EXPECT_EQ(shell.ranges[1].indexCount, 6u);
-    EXPECT_EQ(shell.ranges[2].indexCount, 18u);
+    EXPECT_EQ(shell.ranges[2].indexCount, 12u) << "the glass has no picture";
     EXPECT_EQ(shell.splitIndexCount, 6u);
     EXPECT_EQ(shell.ranges[2].firstIndex, shell.ranges[1].firstIndex + 6)
         << "split triangles follow the cut-outs";
@@ -220,6 +239,41 @@ TEST(Materials, shineByTheirLuminosity_whateverTheirFlags) {
     const World world = test::loadTestWorld(source);
     EXPECT_EQ(materialOf(world, plain).luminosity, 0.8f);
     EXPECT_EQ(materialOf(world, flagged).luminosity, 0.8f);
+}
+
+TEST(Materials, areTranslucentAboveAFiveThousandth) {
+    using S = dat::Surface;
+    S surface;
+    surface.type = S::kBase1Image;
+    surface.translucency = 0.0002f;
+    EXPECT_EQ(surfaceClassOf(surface), SurfaceClass::Opaque);
+    EXPECT_EQ(alphaOf(surface), 1.0f);
+    surface.translucency = 0.00021f;
+    EXPECT_EQ(surfaceClassOf(surface), SurfaceClass::Blended);
+    EXPECT_FLOAT_EQ(alphaOf(surface), 1.0f - 0.00021f);
+    surface.translucency = 1.0f;
+    EXPECT_EQ(alphaOf(surface), 0.0f);
+    EXPECT_EQ(surfaceClassOf(surface), SurfaceClass::Blended);
+}
+
+TEST(Materials, knowWhetherTheirPicturesHavePalettes) {
+    test::TestWorld source;
+    dat::Palette palette;
+    palette.id = 0x04000001;
+    palette.colours.assign(256, {0xFF102030u});
+    source.portalFile().add(palette);
+    dat::RenderSurface indexed = test::solidImage(2, 2, 0);
+    indexed.format = PixelFormat::P8;
+    indexed.pixels = {9, 9, 9, 9};
+    indexed.defaultPalette = palette.id;
+    const auto leaves = source.picture("leaves", indexed, dat::Surface::kBase1ClipMap),
+               grass =
+                   source.picture("grass", test::solidImage(2, 2, 0xFF00FF00), dat::Surface::kBase1ClipMap);
+    source.addBox({0, 0, 0}, {4, 4, 3}, "leaves");
+    source.addBox({5, 0, 0}, {9, 4, 3}, "grass");
+    const World world = test::loadTestWorld(source);
+    EXPECT_EQ(materialOf(world, leaves).flags, Material::kIndexed);
+    EXPECT_EQ(materialOf(world, grass).flags, 0u);
 }
 
 TEST(Materials, areSplitIfTheirPicturesAlphaAloneBlendsThem) {

@@ -62,10 +62,41 @@ Material materialOf(const Polygon& points, Random& random) {
     return kWalls[random.below(kWalls.size())];
 }
 
+/// True for one of the two faces of an opening. Two things at one place would fight for depth.
+bool isOurs(const Face& face) {
+    const Vec3 n = planeOf(face.points).n;
+    return n.x != 0.0 ? n.x > 0.0 : n.y != 0.0 ? n.y > 0.0 : n.z > 0.0;
+}
+
+/// Gives some openings pictures: closed doors, leaves, panes. A generator of its own, so that the other worlds
+/// of a kind stay as they are.
+class Hangings {
+public:
+    explicit Hangings(std::uint64_t seed) : random_(seed) { share_ = random_.chance(0.4) ? 0.5 : 0.0; }
+
+    void hang(std::vector<Face>& faces) {
+        for (Face& face : faces)
+            if (face.portal && isOurs(face) && random_.chance(share_))
+                face = pictured(face.points);
+    }
+
+private:
+    Face pictured(const Polygon& points) {
+        constexpr std::array kPictures{Material::OldPlanks, Material::Leaves, Material::Glass};
+        Face face = planarFace(points, kPictures[random_.below(kPictures.size())]);
+        face.portal = face.pictured = true;
+        face.twoSided = random_.chance(0.3);
+        return face;
+    }
+
+    Random random_;
+    double share_ = 0.0;
+};
+
 class ComplexBuilder {
 public:
-    ComplexBuilder(const Props& props, const OpeningMix& mix, Random random)
-        : props_(props), mix_(mix), random_(random) {}
+    ComplexBuilder(const Props& props, const OpeningMix& mix, Random random, const Hangings& hangings)
+        : props_(props), mix_(mix), random_(random), hangings_(hangings) {}
 
     /// The box's floor is z = 0; the plan's origin is its middle.
     BuildingPlan build(std::uint32_t count) {
@@ -84,8 +115,7 @@ public:
         for (std::uint32_t c = 0; c < solids_.size(); ++c)
             shell(c);
         if (mix_.toGround)
-            for (Face& face : facesOf(exterior_, true))
-                plan_.exterior.add(std::move(face));
+            addExterior();
         return std::move(plan_);
     }
 
@@ -144,11 +174,19 @@ private:
         }
     }
 
+    void addExterior() {
+        std::vector<Face> faces = facesOf(exterior_, true);
+        hangings_.hang(faces);
+        for (Face& face : faces)
+            plan_.exterior.add(std::move(face));
+    }
+
     void shell(std::uint32_t c) {
         CellPlan& cell = plan_.cells[c];
         cell.eye = middleOf(solids_[c]);
         cell.faces = facesOf(shells_[c]);
         furnish(cell);
+        hangings_.hang(cell.faces);
     }
 
     /// Puts props into the middle of the cell and into some of its openings.
@@ -161,9 +199,7 @@ private:
         }
         for (const Face& face : cell.faces) {
             const Vec3 n = planeOf(face.points).n;
-            // Only one of the two cells adds one: two props at one place would fight for depth.
-            const bool isOurs = n.x != 0.0 ? n.x > 0.0 : n.y != 0.0 ? n.y > 0.0 : n.z > 0.0;
-            if (face.portal && isOurs && random_.chance(0.16)) {
+            if (face.portal && isOurs(face) && random_.chance(0.16)) {
                 const bool upright = std::abs(n.z) > 0.7;
                 cell.statics.push_back(
                     {upright ? props_.pole : props_.rod,
@@ -175,6 +211,7 @@ private:
     const Props& props_;
     OpeningMix mix_;
     Random random_;
+    Hangings hangings_;
     Vec3 min_{0.0}, max_{0.0};
     std::vector<Solid> solids_;
     std::vector<Shell> shells_; ///< by cell
@@ -195,7 +232,9 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     // Without land the block is a dungeon.
     const Placement at{{96.0, 96.0, heightOfIndex(kComplexGround) + 0.125},
                        mix.toGround ? random.between(0.0, 360.0) : 0.0};
-    BuildingPlan plan = ComplexBuilder(props, mix, random).build(spec.size);
+    constexpr std::uint64_t kOfHangings = 0x68616E67;
+    BuildingPlan plan =
+        ComplexBuilder(props, mix, random, Hangings(seedOf(spec) ^ kOfHangings)).build(spec.size);
     WorldNotes notes;
     const std::vector<CellPlan> cells = plan.cells;
     LandblockWriter block(writer, kBlock, kGeneratedCells);

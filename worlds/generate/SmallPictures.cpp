@@ -139,6 +139,11 @@ Canvas paintSmall(const Look& look, std::uint32_t seed) {
     });
 }
 
+Canvas paintSmallMaterial(Material material, std::uint32_t seed) {
+    const Canvas canvas = paintSmall(lookOf(material), seed);
+    return isAdded(material) ? shining(canvas) : canvas;
+}
+
 /// The upper layer shows where alpha is 0; north is up.
 Canvas paintSmallBlend(std::uint32_t index) {
     return Canvas::paint(kSmallPicture, kSmallPicture, [=](double u, double v) {
@@ -162,7 +167,7 @@ void addSmallMaterials(WorldRecords& records) {
         const bool ground = !blend && index >= kMaterials;
         const Canvas canvas = blend    ? paintSmallBlend(index - kMaterials - kGrounds)
                               : ground ? paintSmall(lookOf(static_cast<Ground>(index - kMaterials)), index)
-                                       : paintSmall(lookOf(static_cast<Material>(index)), index);
+                                       : paintSmallMaterial(static_cast<Material>(index), index);
         const dat::RecordId id = image.id;
         image =
             encodeImage(canvas, blend ? dat::PixelFormat::LandscapeAlpha : dat::PixelFormat::A8R8G8B8).image;

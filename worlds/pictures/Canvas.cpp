@@ -16,6 +16,13 @@ void blendOver(Vec4f& under, const Vec4f& over, double coverage) {
 
 } // namespace
 
+Canvas shining(Canvas canvas) {
+    for (int y = 0; y < canvas.height(); ++y)
+        for (int x = 0; x < canvas.width(); ++x)
+            canvas.at(x, y) = Vec4f(Vec3f(canvas.at(x, y)) * canvas.at(x, y).w, canvas.at(x, y).w);
+    return canvas;
+}
+
 Vec3f mixColour(const Vec3f& a, const Vec3f& b, double t) {
     return a + (b - a) * static_cast<float>(std::clamp(t, 0.0, 1.0));
 }

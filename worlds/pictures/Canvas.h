@@ -40,6 +40,9 @@ private:
     std::vector<Vec4f> texels_;
 };
 
+/// The colours times their alpha. A picture that is added must be black where nothing shines.
+[[nodiscard]] Canvas shining(Canvas canvas);
+
 /// From a (t = 0 and below) to b (1 and above).
 [[nodiscard]] Vec3f mixColour(const Vec3f& a, const Vec3f& b, double t);
 

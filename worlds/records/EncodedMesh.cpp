@@ -62,6 +62,14 @@ private:
     dat::VertexArray array_;
 };
 
+/// A picture repeats unless each of its faces shows a part of it.
+bool repeats(const Face& face) {
+    constexpr double kSlack = 0.001;
+    return !isCard(face.material) || std::any_of(face.uvs.begin(), face.uvs.end(), [](const Vec2& uv) {
+        return std::min(uv.x, uv.y) < -kSlack || std::max(uv.x, uv.y) > 1.0 + kSlack;
+    });
+}
+
 std::int16_t surfaceIndex(std::vector<dat::RecordId>& surfaces, Material material) {
     const dat::RecordId id = surfaceId(material);
     const auto found = std::find(surfaces.begin(), surfaces.end(), id);
@@ -83,14 +91,17 @@ EncodedMesh encodeMesh(const std::vector<Face>& faces) {
         LIMEN_ASSERT(face.points.size() >= 3 && face.points.size() < 256, "a polygon has 3 to 255 corners");
         dat::Polygon polygon;
         polygon.sides = static_cast<std::int32_t>(face.twoSided ? dat::Sides::Double : dat::Sides::Single);
-        polygon.stippling = face.portal ? dat::kNoPositiveUv : std::uint8_t{0};
-        polygon.posSurface = face.portal ? std::int16_t{-1} : surfaceIndex(mesh.surfaces, face.material);
+        const bool bare = face.portal && !face.pictured;
+        polygon.stippling = bare            ? dat::kNoPositiveUv
+                            : repeats(face) ? dat::kRepeatPositive
+                                            : std::uint8_t{0};
+        polygon.posSurface = bare ? std::int16_t{-1} : surfaceIndex(mesh.surfaces, face.material);
         const Vec3 flat = faceNormal(face);
         for (std::size_t k = 0; k < face.points.size(); ++k) {
             const Vec3 normal = face.normals.empty() ? flat : face.normals[k];
-            const auto [key, uv] = table.find(face.points[k], normal, face.portal ? nullptr : &face.uvs[k]);
+            const auto [key, uv] = table.find(face.points[k], normal, bare ? nullptr : &face.uvs[k]);
             polygon.vertexKeys.push_back(key);
-            if (!face.portal)
+            if (!bare)
                 polygon.posUv.push_back(uv);
         }
         mesh.polygons.emplace_back(static_cast<std::uint16_t>(i), std::move(polygon));

@@ -17,7 +17,8 @@ struct Face {
     std::vector<Vec3> normals; ///< one per point for smooth shading; empty: flat
     Material material = Material::Plaster;
     bool twoSided = false;
-    bool portal = false; ///< an opening: no surface, no UVs
+    bool portal = false;   ///< an opening
+    bool pictured = false; ///< of an opening: it has its material's picture; else no surface and no UVs
 };
 
 /// A face with its picture mapped in metres: u is level (east on floors), v points down (south on floors).

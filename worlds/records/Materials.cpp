@@ -294,8 +294,8 @@ void addMaterial(WorldRecords& records, Material material, Pictures pictures) {
     if (surface.hasImage()) {
         const auto index = static_cast<std::uint32_t>(material);
         surface.texture = textureId(index);
-        addTexture(records, index, pictures == Pictures::Painted ? paintMaterial(material) : blankPicture(),
-                   r.format);
+        const Canvas painted = pictures == Pictures::Painted ? paintMaterial(material) : blankPicture();
+        addTexture(records, index, isAdded(material) ? shining(painted) : painted, r.format);
     } else {
         surface.colour.argb = r.colour;
     }
@@ -310,6 +310,14 @@ Canvas blankPicture() {
 
 double metresPerTile(Material material) {
     return recipe(material).metres;
+}
+
+bool isCard(Material material) {
+    return (recipe(material).type & (S::kBase1ClipMap | S::kAlpha | S::kAdditive | S::kTranslucent)) != 0;
+}
+
+bool isAdded(Material material) {
+    return (recipe(material).type & (S::kAdditive | S::kAlpha)) == S::kAdditive;
 }
 
 dat::RecordId surfaceId(Material material) {

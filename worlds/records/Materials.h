@@ -78,6 +78,10 @@ enum class Ground : std::uint8_t {
 
 /// Metres of surface that one repeat of the picture covers, along u and v. Unused for pictures on cards.
 [[nodiscard]] double metresPerTile(Material material);
+/// Whether the picture is not opaque or shows one thing, so that its border must not wrap around.
+[[nodiscard]] bool isCard(Material material);
+/// Whether the picture is added to the background whole, whatever its alpha.
+[[nodiscard]] bool isAdded(Material material);
 /// Id of the Surface record.
 [[nodiscard]] dat::RecordId surfaceId(Material material);
 /// Id of the SurfaceTexture of a ground picture, or of the `index`-th blend map.

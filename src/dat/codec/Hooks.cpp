@@ -36,10 +36,11 @@ constexpr int kPayloadBytes[] = {
     0,          // 1A CreateBlockingParticle
 };
 
-/// ReplaceObject: u16 part, then a packed id of one or two u16 (docs/formats/primitives.md#packed-ids).
+/// ReplaceObject: u8 part, then a packed id of one or two u16 (docs/formats/primitives.md#packed-ids), then
+/// padding to a multiple of 4.
 std::size_t replaceObjectSize(ByteReader ahead) {
-    [[maybe_unused]] const auto part = ahead.get<std::uint16_t>();
-    return (ahead.get<std::uint16_t>() & 0x8000u) ? 6 : 4;
+    [[maybe_unused]] const auto part = ahead.get<std::uint8_t>();
+    return (ahead.get<std::uint16_t>() & 0x8000u) != 0 ? 8 : 4;
 }
 
 } // namespace

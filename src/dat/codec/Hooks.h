@@ -12,7 +12,7 @@ inline constexpr std::uint32_t kCreateParticleHook = 0x0D;
 inline constexpr std::uint32_t kCreateBlockingParticleHook = 0x1A;
 inline constexpr std::size_t kMinHookBytes = 8;
 
-/// The payload of CreateBlockingParticle, which is not certain: none, or that of CreateParticle.
+/// The payload of CreateBlockingParticle: that of CreateParticle, or none in files of other writers.
 enum class BlockingParticle { Bare, LikeCreateParticle };
 
 /// Payload bytes of a hook type. No value for an unknown type, and for ReplaceObject, whose length depends on
@@ -36,17 +36,17 @@ void animationFrame(IO& io, F& f, std::size_t parts, BlockingParticle blocking) 
 /// False if the payload has no CreateBlockingParticle. May be true without one. Cheap.
 [[nodiscard]] bool mayHaveBlockingParticle(ByteView payload);
 
-/// decodeWith for records with hooks; `read(reader, record, blocking)`. If reading fails with a bare
-/// CreateBlockingParticle, reads again with a payload.
+/// decodeWith for records with hooks; `read(reader, record, blocking)`. If reading fails with the payload of
+/// CreateBlockingParticle, reads again without.
 template <class Record, class Read>
 [[nodiscard]] Result<Record> decodeWithHooks(RecordId id, ByteView payload, Read&& read) {
     const auto attempt = [&](BlockingParticle blocking) {
         return decodeWith<Record>(id, payload, [&](ByteReader& io, Record& r) { read(io, r, blocking); });
     };
-    Result<Record> first = attempt(BlockingParticle::Bare);
+    Result<Record> first = attempt(BlockingParticle::LikeCreateParticle);
     if (first || !mayHaveBlockingParticle(payload))
         return first;
-    Result<Record> second = attempt(BlockingParticle::LikeCreateParticle);
+    Result<Record> second = attempt(BlockingParticle::Bare);
     return second ? std::move(second) : std::move(first);
 }
 

@@ -1,5 +1,6 @@
 #include "dat/Describe.h"
 
+#include "dat/Iterations.h"
 #include "dat/RecordTypes.h"
 #include "dat/describe/Json.h"
 
@@ -30,7 +31,15 @@ std::string describeIteration(RecordId id, ByteView payload) {
         std::memcpy(&word, payload.data() + i, sizeof word);
         words.push_back(word);
     }
-    return pretty({{"kind", nameOf(RecordKind::Iteration)}, {"id", hexId(id)}, {"words", words}});
+    Json record{{"kind", nameOf(RecordKind::Iteration)}, {"id", hexId(id)}, {"words", words}};
+    if (const Result<Iterations> iterations = decodeIterations(payload)) {
+        record["current"] = iterations->current;
+        Json runs = Json::array();
+        for (const IterationRun& run : iterations->runs)
+            runs.push_back({{"first", run.first}, {"count", run.count}});
+        record["runs"] = runs;
+    }
+    return pretty(record);
 }
 
 } // namespace

@@ -25,7 +25,9 @@ struct VertexArray {
 /// `Polygon::sides`.
 enum class Sides : std::int32_t { Single = 0, Double = 1, Both = 2 };
 
-/// Stippling bits.
+/// Stippling bits. None of them hides a polygon.
+inline constexpr std::uint8_t kRepeatPositive = 1; ///< the positive side's picture repeats; clear: clamped
+inline constexpr std::uint8_t kRepeatNegative = 2;
 inline constexpr std::uint8_t kNoPositiveUv = 4;
 inline constexpr std::uint8_t kNoNegativeUv = 8;
 

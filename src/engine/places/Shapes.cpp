@@ -134,7 +134,8 @@ void Shapes::addGfxObj(dat::RecordId id, const Mat3& linear, const Vec3& origin,
         portals.insert(ref.polygonId);
     std::vector<world::Finding> ignored;
     for (const world::SourcePolygon& polygon : world::readPolygons(
-             model->vertexArray, model->polygons, model->surfaces.size(), portals, id, ignored))
+             model->vertexArray, model->polygons,
+             world::drawnSlots(model->surfaces, world::MeshOwner::Thing, records_), portals, id, ignored))
         if (polygon.isDrawn())
             addFan(cornersIn(polygon, linear, origin), out);
     for (std::vector<Vec3>& outline : world::readOutlines(model->vertexArray, model->physicsPolygons)) {
@@ -177,12 +178,14 @@ std::optional<CellShape> Shapes::readCell(dat::RecordId id) {
     std::map<std::uint16_t, std::vector<Vec3>> outlines;
     std::vector<Triangle> triangles;
     for (const world::SourcePolygon& polygon : world::readPolygons(
-             shape->vertexArray, shape->polygons, record->surfaces.size(), portals, id, ignored)) {
+             shape->vertexArray, shape->polygons,
+             world::drawnSlots(world::surfaceIds(*record), world::MeshOwner::Structure, records_), portals,
+             id, ignored)) {
         std::vector<Vec3> corners = cornersIn(polygon, linear, block + pose.origin);
-        if (!polygon.isDrawn()) {
-            outlines.emplace(polygon.id, std::move(corners));
+        if (polygon.isPortal)
+            outlines.emplace(polygon.id, corners);
+        if (!polygon.isDrawn())
             continue;
-        }
         if (polygon.frontSlot < 0)
             std::reverse(corners.begin(), corners.end());
         addFan(corners, triangles);

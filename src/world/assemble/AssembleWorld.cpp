@@ -28,7 +28,7 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
     World world;
     MeshArena arena(world);
     Materials materials(records, world, pictures);
-    MaterialRuns runs(records, materials, world);
+    MaterialRuns runs(materials, world);
     Cycles cycles(records, world);
     BodyAssembler bodies(models, runs, cycles, arena, world);
     ParticleStyleAssembler styles(records, models, runs, arena, world);
@@ -63,7 +63,8 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
     if (moving.player != 0) {
         world.player.solid = bodies.add(
             moving.player, InstanceKind::Dynamic, dynamicObject(DynamicObject::Player, 0),
-            {.isAlwaysNear = true, .dress = dressOf(moving.player, moving.playerClothing, records)});
+            {.isAlwaysNear = true,
+             .dress = dressOf(moving.player, {moving.playerClothing, moving.playerPalette}, records)});
         world.player.ghost = bodies.addBlended(world.player.solid);
     }
     const dat::Region* const sky = regionWithSky(region);

@@ -11,7 +11,7 @@ namespace {
 // Substates of a style. Ref: MotionCommand in the record schema of Chorizite's DatReaderWriter (dats.xml).
 constexpr std::uint32_t kWalkForward = 0x45000005, kRunForward = 0x44000007;
 
-/// Frames a second of a Setup's own animation. No record has this rate (docs/uncertain.md).
+/// Frames a second of a Setup's own animation. No record has this rate (docs/retail.md).
 constexpr float kDefaultRate = 30.0f;
 
 template <class Value>

@@ -22,30 +22,18 @@ std::uint32_t MaterialRuns::add(std::span<const dat::RecordId> surfaces, const s
 std::uint32_t MaterialRuns::ofPart(const PartMesh& part) {
     const auto [entry, fresh] = byPart_.try_emplace(part.gfxObj, 0);
     if (fresh)
-        entry->second = add(part.surfaces, clampOf(part));
+        entry->second = add(part.surfaces, part.clamp);
     return entry->second;
-}
-
-std::vector<bool> MaterialRuns::clampOf(const PartMesh& part) {
-    LIMEN_ASSERT(part.clamp.size() == part.surfaces.size(), "one flag for each slot");
-    // Clamping keeps the border of a cut-out from bleeding across. An opaque wall of several quads needs
-    // repeat: its texture continues from quad to quad.
-    std::vector<bool> clamp = part.clamp;
-    for (std::size_t i = 0; i < clamp.size(); ++i) {
-        const dat::Surface* surface = records_.surface(part.surfaces[i]);
-        clamp[i] = clamp[i] && surface != nullptr && surfaceClassOf(*surface) != SurfaceClass::Opaque;
-    }
-    return clamp;
 }
 
 std::uint32_t MaterialRuns::ofDressedPart(const PartMesh& part, std::uint32_t number, const Dress& dress) {
     if (dress.empty())
         return ofPart(part);
     const DressedPart* worn = dress.part(number);
-    const std::vector<bool> clamp = clampOf(part);
+    LIMEN_ASSERT(part.clamp.size() == part.surfaces.size(), "one flag for each slot");
     std::vector<std::uint32_t> run;
     for (std::size_t i = 0; i < part.surfaces.size(); ++i)
-        run.push_back(materials_.material(part.surfaces[i], clamp[i],
+        run.push_back(materials_.material(part.surfaces[i], part.clamp[i],
                                           worn != nullptr
                                               ? std::span<const dat::TextureChange>(worn->textures)
                                               : std::span<const dat::TextureChange>(),

@@ -9,11 +9,9 @@ namespace limen::world {
 /// index of its run.
 class MaterialRuns {
 public:
-    MaterialRuns(Records& records, Materials& materials, World& world)
-        : records_(records), materials_(materials), world_(world) {}
+    MaterialRuns(Materials& materials, World& world) : materials_(materials), world_(world) {}
 
-    /// `clamp`: by slot, true if the texture coordinates stay within 0..1; slots beyond its end are not
-    /// clamped.
+    /// `clamp`: by slot, true if the picture does not repeat; slots beyond its end repeat.
     std::uint32_t add(std::span<const dat::RecordId> surfaces, const std::vector<bool>& clamp);
     /// The run of a part in its own materials. Parts of one GfxObj share it.
     std::uint32_t ofPart(const PartMesh& part);
@@ -25,10 +23,8 @@ public:
     std::uint32_t addPlain(const Vec4f& colour, SurfaceClass surfaces);
 
 private:
-    [[nodiscard]] std::vector<bool> clampOf(const PartMesh& part);
     std::uint32_t append(std::span<const std::uint32_t> run);
 
-    Records& records_;
     Materials& materials_;
     World& world_;
     std::unordered_map<dat::RecordId, std::uint32_t> byPart_; ///< by GfxObj

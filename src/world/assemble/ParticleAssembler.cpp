@@ -43,8 +43,9 @@ Pose restOfPart(const EmitterStart& start, const dat::Setup& setup) {
 } // namespace
 
 std::vector<EmitterStart> ParticleAssembler::startsOf(const dat::Setup& setup,
-                                                      std::span<const std::uint32_t> cycles) {
-    std::vector<EmitterStart> starts = starts_.ofDefaultScript(setup);
+                                                      std::span<const std::uint32_t> cycles,
+                                                      std::uint64_t seed) {
+    std::vector<EmitterStart> starts = starts_.ofDefaultScript(setup, seed);
     std::size_t hooks = 0;
     for (const std::uint32_t cycle : cycles) {
         if (cycle == kNone)
@@ -52,7 +53,7 @@ std::vector<EmitterStart> ParticleAssembler::startsOf(const dat::Setup& setup,
         for (const Cycles::Hook& hook : cycles_.hooksOf(cycle)) {
             if (++hooks > kMostHooks || starts.size() > kMostHooks)
                 return starts;
-            for (EmitterStart start : starts_.ofHook(*hook.hook, setup)) {
+            for (EmitterStart start : starts_.ofHook(*hook.hook, setup, seed + hooks)) {
                 start.cycle = cycle;
                 start.at += hook.seconds;
                 if (start.period == 0.0)
@@ -72,7 +73,7 @@ void ParticleAssembler::addToObject(const PlacedModel& object, std::uint32_t idl
     LIMEN_ASSERT(idle == kNone || idle < world_.idleObjects.size(), "the object is in the world");
     const std::uint32_t standing[] = {cycles_.of(object.model)[static_cast<std::size_t>(Gait::Stand)]};
     std::size_t number = 0;
-    for (const EmitterStart& start : startsOf(*setup, standing)) {
+    for (const EmitterStart& start : startsOf(*setup, standing, object.object)) {
         ParticleSource source;
         source.idle = idle;
         source.seed = seedOf(object.object, number++);
@@ -94,20 +95,21 @@ void ParticleAssembler::addToVillager(std::uint32_t villager, dat::RecordId mode
     if (setup == nullptr)
         return;
     LIMEN_ASSERT(villager < world_.villagers.size(), "the villager is in the world");
-    std::vector<EmitterStart> starts = startsOf(*setup, world_.villagers[villager].body.cycles);
+    const std::uint64_t seed = dynamicObject(DynamicObject::Villager, villager);
+    std::vector<EmitterStart> starts = startsOf(*setup, world_.villagers[villager].body.cycles, seed);
     const dat::PhysicsScriptTable* table =
         play.kind != 0 && setup->scriptTable != 0 ? records_.physicsScriptTable(setup->scriptTable) : nullptr;
     const dat::RecordId script =
         table != nullptr ? chooseScript(*table, play.kind, static_cast<float>(play.intensity)) : 0;
     if (script != 0) {
-        const std::vector<EmitterStart> played = starts_.ofScript(script, *setup);
+        const std::vector<EmitterStart> played = starts_.ofScript(script, *setup, seed);
         starts.insert(starts.end(), played.begin(), played.end());
     }
     std::size_t number = 0;
     for (const EmitterStart& start : starts) {
         ParticleSource source;
         source.villager = villager;
-        source.seed = seedOf(dynamicObject(DynamicObject::Villager, villager), number++);
+        source.seed = seedOf(seed, number++);
         const Pose rest = restOfPart(start, *setup);
         source.at = {rest.orientation, rest.origin};
         if (const auto made = sourceOf(start, *setup, source))
@@ -128,6 +130,7 @@ std::optional<ParticleSource> ParticleAssembler::sourceOf(const EmitterStart& st
     source.cycle = start.cycle;
     source.start = start.at;
     source.period = start.period;
+    source.jitter = start.jitter;
     source.stop = start.stop;
     source.gone = start.gone;
     source.interval = style.interval;
@@ -158,12 +161,13 @@ void ParticleAssembler::addWeather(std::uint32_t dayGroup, std::uint32_t number,
     const dat::Setup bare;
     const dat::Setup* model = isSetup(object.object) ? records_.setup(object.object) : nullptr;
     const dat::Setup& setup = model != nullptr ? *model : bare;
-    const std::vector<EmitterStart> starts =
-        object.script != 0 ? starts_.ofScript(object.script, setup) : starts_.ofDefaultScript(setup);
+    const std::uint64_t seed = std::uint64_t{dayGroup} << 32 | number;
+    const std::vector<EmitterStart> starts = object.script != 0 ? starts_.ofScript(object.script, setup, seed)
+                                                                : starts_.ofDefaultScript(setup, seed);
     std::size_t count = 0;
     for (const EmitterStart& start : starts) {
         ParticleSource source;
-        source.seed = seedOf(std::uint64_t{dayGroup} << 32 | number, count++);
+        source.seed = seedOf(seed, count++);
         source.isAlone = true;
         std::optional<ParticleSource> made = sourceOf(start, setup, source);
         if (!made)

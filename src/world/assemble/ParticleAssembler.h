@@ -29,8 +29,8 @@ private:
     [[nodiscard]] std::optional<ParticleSource> sourceOf(const EmitterStart& start, const dat::Setup& setup,
                                                          ParticleSource source);
     /// The starts of a Setup's default script and of the hooks of its cycles.
-    [[nodiscard]] std::vector<EmitterStart> startsOf(const dat::Setup& setup,
-                                                     std::span<const std::uint32_t> cycles);
+    [[nodiscard]] std::vector<EmitterStart>
+    startsOf(const dat::Setup& setup, std::span<const std::uint32_t> cycles, std::uint64_t seed);
 
     Records& records_;
     ParticleStyleAssembler& styles_;

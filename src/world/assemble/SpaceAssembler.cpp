@@ -113,6 +113,7 @@ void SpaceAssembler::addPortals(const JoiningBlock& block) {
         portal.recordIndex = content.recordIndex;
         portal.polygonId = content.polygonId;
         portal.exact = content.exact;
+        portal.walled = content.walled;
         (content.space == kOutdoorSpace ? outdoorPortals_ : world_.portals).push_back(portal);
     }
     for (std::uint32_t cell = 0; cell < block.content.cells.size(); ++cell) {

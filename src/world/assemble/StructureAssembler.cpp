@@ -10,7 +10,7 @@ void StructureAssembler::add(const JoiningBlock& block) {
 void StructureAssembler::addExteriors(const JoiningBlock& block) {
     std::uint32_t index = 0;
     for (const ExteriorContent& exterior : block.content.exteriors) {
-        const std::uint32_t materials = materials_.add(exterior.surfaces, {});
+        const std::uint32_t materials = materials_.add(exterior.surfaces, exterior.clamp);
         const std::uint64_t key =
             contentKey(MeshSource::Exterior, dat::landBlockInfoId(block.content.coord), index++);
         Instance& instance =
@@ -27,7 +27,7 @@ void StructureAssembler::addShells(const JoiningBlock& block) {
         Space& space = world_.spaces[block.spaceOf(i)];
         LIMEN_ASSERT(space.cellId == cell.id && space.shell == kNone,
                      "the space of this cell, without a shell");
-        const std::uint32_t materials = materials_.add(cell.surfaces, {});
+        const std::uint32_t materials = materials_.add(cell.surfaces, cell.clamp);
         Instance& shell = addBakedInstance(block, InstanceKind::Shell, cell.shell,
                                            contentKey(MeshSource::Shell, cell.id), arena_, world_);
         shell.object = wholeObject(cell.id);
@@ -35,7 +35,7 @@ void StructureAssembler::addShells(const JoiningBlock& block) {
         shell.firstMaterial = materials;
         shell.placedIn = block.spaceOf(i);
         if (world_.zones[space.zone].spaceCount > 1)
-            arena_.setNeighbours(shell.mesh);
+            arena_.setNeighbours(shell.mesh, cell.shell.inOpenings);
         space.shell = static_cast<InstanceIndex>(world_.instances.size() - 1);
     }
 }

@@ -25,7 +25,7 @@ void VillagerAssembler::add(const VillagerEntry& entry, std::size_t index,
         return;
     villager.body =
         bodies_.add(entry.model, InstanceKind::Dynamic, dynamicObject(DynamicObject::Villager, index),
-                    {.dress = dressOf(entry.model, entry.clothing, records_)});
+                    {.dress = dressOf(entry.model, {entry.clothing, entry.basePalette}, records_)});
     world_.villagers.push_back(std::move(villager));
     particles_.addToVillager(static_cast<std::uint32_t>(world_.villagers.size() - 1), entry.model,
                              entry.play);

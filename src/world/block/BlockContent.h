@@ -18,6 +18,7 @@ struct PortalContent {
     std::vector<Vec3> corners;   ///< the convex hull of the record's own corners; a subset of `points`
     Plane plane{Vec3(0.0), 0.0}; ///< block-local; `space` is on the positive side
     bool exact = true;
+    bool walled = false; ///< its polygon is drawn towards `space`, and is opaque
     std::uint16_t recordIndex = 0, polygonId = 0;
     std::uint16_t flags = 0, otherCell = 0, otherPortal = 0; ///< as in the record
 };
@@ -37,6 +38,7 @@ struct CellContent {
     bool seenOutside = false, ofBuilding = false;
     MeshData shell; ///< block-local
     std::vector<dat::RecordId> surfaces;
+    std::vector<bool> clamp;                        ///< by slot: false if its picture repeats
     std::uint32_t firstPortal = 0, portalCount = 0; ///< run of BlockContent::portals
     std::vector<CellBspNode> bsp;                   ///< block-local planes
     CellShape shape;
@@ -48,6 +50,7 @@ struct ExteriorContent {
     std::uint64_t object = 0;
     MeshData mesh;
     std::vector<dat::RecordId> surfaces;
+    std::vector<bool> clamp; ///< by slot: false if its picture repeats
 };
 
 /// A model placed in the block.

@@ -14,8 +14,18 @@ std::vector<Vec3> placed(const SourcePolygon& polygon, const Placement& placemen
     return points;
 }
 
-void draftPart(const dat::GfxObj& model, const Placement& placement, std::size_t portalCount,
+BuildingDraft::PortalPolygon portalPolygon(const SourcePolygon& polygon, const Placement& placement,
+                                           std::span<const SurfaceList> lists) {
+    const auto isOpaque = [&](std::int32_t slot) {
+        return slot >= 0 && lists[static_cast<std::size_t>(slot)] == SurfaceList::Opaque;
+    };
+    return {placed(polygon, placement), isOpaque(polygon.frontSlot), isOpaque(polygon.backSlot)};
+}
+
+void draftPart(const dat::GfxObj& model, const Placement& placement, Records& records,
                BakedGeometry& geometry, BuildingDraft& draft, std::vector<Finding>& findings) {
+    const std::size_t portalCount = draft.portalPolygons.size();
+    const std::vector<SurfaceList> lists = listsOf(model.surfaces, records);
     const std::vector<PortalPolygonRef> refs = portalRefs(model, portalCount);
     std::set<std::uint16_t> portals;
     for (const PortalPolygonRef& ref : refs)
@@ -23,11 +33,12 @@ void draftPart(const dat::GfxObj& model, const Placement& placement, std::size_t
     BuildingDraft::Part part;
     part.gfxObj = model.id;
     part.surfaces = model.surfaces;
-    for (SourcePolygon& polygon : readPolygons(model.vertexArray, model.polygons, model.surfaces.size(),
+    for (SourcePolygon& polygon : readPolygons(model.vertexArray, model.polygons,
+                                               drawnSlots(model.surfaces, MeshOwner::Structure, records),
                                                portals, model.id, findings)) {
         for (const PortalPolygonRef& ref : refs)
             if (ref.polygonId == polygon.id)
-                draft.portalPolygons[ref.portalIndex] = placed(polygon, placement);
+                draft.portalPolygons[ref.portalIndex] = portalPolygon(polygon, placement, lists);
         if (!polygon.isDrawn())
             continue;
         const std::uint32_t handle = geometry.add(std::move(polygon), placement);
@@ -48,8 +59,8 @@ BuildingDraft draftBuilding(const dat::Building& building, std::uint64_t object,
     const Mat3 rotation = glm::mat3_cast(pose.orientation);
     for (const ModelPart& part : models.model(building.model).parts) {
         if (const dat::GfxObj* model = records.gfxObj(part.gfxObj))
-            draftPart(*model, {rotation * part.linear, pose.apply(part.origin)}, building.portals.size(),
-                      geometry, draft, findings);
+            draftPart(*model, {rotation * part.linear, pose.apply(part.origin)}, records, geometry, draft,
+                      findings);
     }
     return draft;
 }
@@ -60,7 +71,9 @@ void finishBuilding(const BuildingDraft& draft, const BakedGeometry& geometry, R
         PolygonMesher mesher(listsOf(part.surfaces, records));
         for (const std::uint32_t handle : part.polygons)
             mesher.add(geometry, handle);
-        block.exteriors.push_back({part.gfxObj, draft.object, mesher.finish(), part.surfaces});
+        std::vector<bool> clamp = mesher.clamped();
+        block.exteriors.push_back(
+            {part.gfxObj, draft.object, mesher.finish(), part.surfaces, std::move(clamp)});
     }
 }
 

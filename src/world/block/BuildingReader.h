@@ -14,8 +14,11 @@ struct BuildingDraft {
     };
     std::uint64_t object = 0;
     std::vector<Part> parts;
-    /// By building portal, block-local. An empty one is not in the model.
-    std::vector<std::vector<Vec3>> portalPolygons;
+    struct PortalPolygon {
+        std::vector<Vec3> corners;                    ///< block-local; empty: it is not in the model
+        bool opaqueFront = false, opaqueBack = false; ///< the side is drawn, and is opaque
+    };
+    std::vector<PortalPolygon> portalPolygons; ///< by building portal
 };
 
 /// Reads a building's model and adds its drawn polygons to `geometry`. The portal polygons of its drawing

@@ -72,10 +72,17 @@ int sideOf(const Plane& plane, std::span<const Vec3> points) {
     return most <= kOneSided && least < -kOneSided ? -1 : 0;
 }
 
+/// Whether the polygon is an opaque surface on the side that faces the cell.
+bool isWalled(const SourcePolygon& source, bool positive, std::span<const SurfaceList> lists) {
+    const std::int32_t slot = positive ? source.frontSlot : source.backSlot;
+    return slot >= 0 && lists[static_cast<std::size_t>(slot)] == SurfaceList::Opaque;
+}
+
 /// Sets the points, corners and plane. Yields the defect of the polygon, or null. `contradicts`: the record's
 /// flag is wrong.
-const char* shapePortal(PortalContent& portal, std::uint32_t handle, const BakedGeometry& geometry,
+const char* shapePortal(PortalContent& portal, std::uint32_t handle, const CellGeometry& of,
                         CellClosure& closure, std::span<const Vec3> shellPoints, bool& contradicts) {
+    const BakedGeometry& geometry = of.baked;
     if (handle == kNone)
         return "does not exist";
     if (geometry.loops(handle).size() != 1)
@@ -93,6 +100,7 @@ const char* shapePortal(PortalContent& portal, std::uint32_t handle, const Baked
         side = sideOf(plane, shellPoints);
     const bool positive = side != 0 ? side > 0 : flagged;
     contradicts = positive != flagged;
+    portal.walled = isWalled(geometry.source(handle), positive, of.lists);
     closure.addPortal(loop, !positive);
     if (plane.n == Vec3(0.0))
         return "has no area";
@@ -110,7 +118,7 @@ const char* shapePortal(PortalContent& portal, std::uint32_t handle, const Baked
 } // namespace
 
 std::vector<PortalContent> cellPortals(const CellDraft& draft, std::uint32_t cell,
-                                       const BakedGeometry& geometry, CellClosure& closure,
+                                       const CellGeometry& geometry, CellClosure& closure,
                                        std::span<const Vec3> shellPoints, std::vector<Finding>& findings) {
     LIMEN_ASSERT(draft.portals.size() == draft.record.portals.size(), "one handle for each portal");
     std::vector<PortalContent> portals;

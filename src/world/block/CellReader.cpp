@@ -110,6 +110,13 @@ const dat::CellStruct* findShape(const dat::EnvCell& cell, Records& records) {
     return nullptr;
 }
 
+std::vector<dat::RecordId> surfaceIds(const dat::EnvCell& cell) {
+    std::vector<dat::RecordId> ids;
+    for (const std::uint16_t surface : cell.surfaces)
+        ids.push_back(0x08000000u | surface);
+    return ids;
+}
+
 std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records, BakedGeometry& geometry,
                                    std::vector<Finding>& findings) {
     CellDraft draft;
@@ -127,15 +134,18 @@ std::optional<CellDraft> draftCell(dat::EnvCell record, Records& records, BakedG
     const Placement placement{glm::mat3_cast(pose.orientation), pose.origin};
     std::unordered_map<std::uint16_t, std::uint32_t> handles;
     for (SourcePolygon& polygon : readPolygons(draft.shape->vertexArray, draft.shape->polygons,
-                                               cell.surfaces.size(), portals, cell.id, findings)) {
+                                               drawnSlots(surfaceIds(cell), MeshOwner::Structure, records),
+                                               portals, cell.id, findings)) {
         const std::uint16_t id = polygon.id;
-        const bool drawn = polygon.isDrawn();
+        const bool drawn = polygon.isDrawn(), isPortal = polygon.isPortal;
         const std::uint32_t handle = geometry.add(std::move(polygon), placement);
-        if (handle == kNone)
+        if (handle == kNone) {
             note(findings, cell.id, "polygon " + std::to_string(id) + " is too far from its block");
-        else if (drawn)
+            continue;
+        }
+        if (drawn)
             draft.polygons.push_back(handle);
-        else
+        if (isPortal)
             handles.emplace(id, handle);
     }
     for (const std::uint16_t id : portalIds) {
@@ -159,14 +169,16 @@ void finishCell(const CellDraft& draft, const BakedGeometry& geometry, Records& 
     CellContent cell;
     cell.id = draft.record.id;
     cell.seenOutside = (draft.record.flags & dat::EnvCell::kSeenOutside) != 0;
-    for (const std::uint16_t surface : draft.record.surfaces)
-        cell.surfaces.push_back(0x08000000u | surface);
-    PolygonMesher mesher(listsOf(cell.surfaces, records));
+    cell.surfaces = surfaceIds(draft.record);
+    const std::vector<SurfaceList> lists = listsOf(cell.surfaces, records);
+    PolygonMesher mesher(lists);
     CellClosure closure(geometry.vertices());
     std::vector<Vec3> points;
     for (const std::uint32_t handle : draft.polygons) {
         const SourcePolygon& source = geometry.source(handle);
         mesher.add(geometry, handle);
+        if (source.isPortal)
+            continue; // it bounds the cell as a portal
         for (const StitchLoop& loop : geometry.loops(handle)) {
             points.clear();
             for (const StitchCorner& corner : loop)
@@ -175,6 +187,7 @@ void finishCell(const CellDraft& draft, const BakedGeometry& geometry, Records& 
             closure.addDrawn(loop, source.frontSlot >= 0, source.backSlot >= 0);
         }
     }
+    cell.clamp = mesher.clamped();
     cell.shell = mesher.finish();
     cell.bsp = treeOf(draft.shape->cellBsp, poseOf(draft.record.position));
     if (!draft.shape->cellBsp.nodes.empty() && cell.bsp.empty() &&
@@ -184,7 +197,7 @@ void finishCell(const CellDraft& draft, const BakedGeometry& geometry, Records& 
     cell.portalCount = static_cast<std::uint32_t>(draft.portals.size());
     const auto index = static_cast<std::uint32_t>(block.cells.size());
     for (PortalContent& portal :
-         cellPortals(draft, index, geometry, closure, cell.shape.points, block.findings)) {
+         cellPortals(draft, index, {geometry, lists}, closure, cell.shape.points, block.findings)) {
         addToShape(cell.shape, portal.corners);
         block.portals.push_back(std::move(portal));
     }

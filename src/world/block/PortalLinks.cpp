@@ -1,5 +1,6 @@
 #include "world/block/PortalLinks.h"
 
+#include "geometry/ConvexPolygon.h"
 #include "world/PolygonDistance.h"
 #include "world/records/Records.h"
 
@@ -156,7 +157,25 @@ PortalContent outdoorPortal(const PortalContent& exit, std::uint32_t exitIndex, 
     portal.plane = exit.plane.flipped();
     portal.recordIndex = recordIndex;
     portal.exact = true;
+    portal.walled = false;
     return portal;
+}
+
+/// Whether the building's own polygon is an opaque surface in the opening, seen from outside.
+bool isWalled(const PortalContent& portal, const BuildingDraft::PortalPolygon& own) {
+    if (portal.points.empty() || !samePolygon(own.corners, portal.corners, kOpeningTolerance))
+        return false;
+    return glm::dot(planeOf(own.corners).n, portal.plane.n) > 0.0 ? own.opaqueFront : own.opaqueBack;
+}
+
+void separateWalled(BlockContent& block) {
+    for (PortalContent& portal : block.portals) {
+        if (!portal.walled || portal.reciprocal == kNone)
+            continue;
+        PortalContent& back = block.portals[portal.reciprocal];
+        portal.reciprocal = back.reciprocal = kNone;
+        portal.exact = back.exact = true;
+    }
 }
 
 } // namespace
@@ -170,7 +189,7 @@ void linkCellPortals(BlockContent& block) {
 }
 
 void linkBuilding(BlockContent& block, const dat::Building& building,
-                  std::span<const std::vector<Vec3>> ownPolygons, dat::RecordId record) {
+                  std::span<const BuildingDraft::PortalPolygon> ownPolygons, dat::RecordId record) {
     const CellLookup lookup(block);
     for (std::size_t i = 0; i < building.portals.size() && i < 0xFFFF; ++i) {
         const dat::BuildingPortal& named = building.portals[i];
@@ -189,15 +208,17 @@ void linkBuilding(BlockContent& block, const dat::Building& building,
                      (exit == kNone ? "; it is left out" : "; its only other one is taken"));
         if (exit == kNone)
             continue;
-        if (i >= ownPolygons.size() || ownPolygons[i].empty())
+        const bool hasOwn = i < ownPolygons.size() && !ownPolygons[i].corners.empty();
+        if (!hasOwn)
             note(block.findings, record, name + " has no polygon in the building's model");
         else if (!block.portals[exit].points.empty() &&
-                 !samePolygon(ownPolygons[i], block.portals[exit].corners, kOpeningTolerance))
+                 !samePolygon(ownPolygons[i].corners, block.portals[exit].corners, kOpeningTolerance))
             note(block.findings, record,
                  name + " has another polygon in the building's model than in the cell");
         LIMEN_ASSERT(block.portals[exit].reciprocal == kNone, "an exit leads through one building portal");
         block.portals[exit].reciprocal = static_cast<std::uint32_t>(block.portals.size());
         block.portals.push_back(outdoorPortal(block.portals[exit], exit, static_cast<std::uint16_t>(i)));
+        block.portals.back().walled = hasOwn && isWalled(block.portals.back(), ownPolygons[i]);
     }
 }
 
@@ -222,6 +243,7 @@ void finishBuildings(BlockContent& block) {
             note(block.findings, block.cells[portal.space].id,
                  nameOf(portal) + " leads outside, but no building leads back");
     }
+    separateWalled(block);
 }
 
 } // namespace limen::world

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/block/BlockContent.h"
+#include "world/block/BuildingReader.h"
 
 namespace limen::world {
 
@@ -16,13 +16,13 @@ inline constexpr double kOpeningTolerance = 0.01;
 void linkCellPortals(BlockContent& block);
 
 /// Appends the portals of one building, paired with the exit portals they name. `ownPolygons`: the polygons
-/// of the building's model by portal (block-local, empty if it has none). They are only compared: the exit's
-/// polygon is used both ways.
+/// of the building's model by portal. They are compared, and say which portals are walled from outside: the
+/// exit's polygon is used both ways.
 void linkBuilding(BlockContent& block, const dat::Building& building,
-                  std::span<const std::vector<Vec3>> ownPolygons, dat::RecordId record);
+                  std::span<const BuildingDraft::PortalPolygon> ownPolygons, dat::RecordId record);
 
 /// Called after the last building. Reports the exits that no building leads to, and sets
-/// CellContent::ofBuilding.
+/// CellContent::ofBuilding. Walled portals lose their way back: each direction of the opening is one-way.
 void finishBuildings(BlockContent& block);
 
 } // namespace limen::world

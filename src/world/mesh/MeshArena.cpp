@@ -80,16 +80,24 @@ double unevennessOf(std::span<const MeshVertex> vertices, std::span<const Vec3f>
     return most;
 }
 
-/// Stitched polygons share whole edges. The back of a two-sided polygon has no neighbour.
-void setNeighbourFacets(std::span<MeshVertex> vertices, std::size_t polygons) {
+/// Stitched polygons share whole edges. The back of a two-sided polygon has no neighbour. Polygons in openings are
+/// no walls: a ray may come through them from another cell of the zone.
+void setNeighbourFacets(std::span<MeshVertex> vertices, std::size_t polygons,
+                        std::span<const std::uint16_t> inOpenings) {
+    const auto isWall = [&](const MeshVertex& vertex) {
+        return !std::binary_search(inOpenings.begin(), inOpenings.end(), vertex.polygon);
+    };
     const std::vector<Vec3f> facets = facetsByPolygon(vertices, polygons);
     const double reach = std::min(kFlatReach + 2.0 * unevennessOf(vertices, facets), kMostReach);
     const auto perReach = static_cast<float>(1.0 / reach);
     std::unordered_map<Edge, std::uint16_t, EdgeHash> byEdge;
     const auto next = [](std::size_t i) { return i % 3 == 2 ? i - 2 : i + 1; };
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        byEdge.try_emplace(Edge(vertices[i].corner(), vertices[next(i)].corner()), vertices[i].polygon);
+        if (isWall(vertices[i]))
+            byEdge.try_emplace(Edge(vertices[i].corner(), vertices[next(i)].corner()), vertices[i].polygon);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (!isWall(vertices[i]))
+            continue;
         const auto found = byEdge.find(Edge(vertices[next(i)].corner(), vertices[i].corner()));
         if (found != byEdge.end() && found->second != vertices[i].polygon)
             vertices[i].neighbour = facets[found->second] * perReach;
@@ -134,11 +142,11 @@ std::uint32_t MeshArena::add(const MeshData& data, std::uint64_t key) {
     return static_cast<std::uint32_t>(world_.meshes.size() - 1);
 }
 
-void MeshArena::setNeighbours(std::uint32_t shell) {
+void MeshArena::setNeighbours(std::uint32_t shell, std::span<const std::uint16_t> inOpenings) {
     LIMEN_ASSERT(shell < world_.meshes.size(), "the shell is in the arena");
     const Mesh& mesh = world_.meshes[shell];
     setNeighbourFacets(std::span(world_.vertices).subspan(mesh.firstVertex, mesh.vertexCount),
-                       mesh.polygonCount);
+                       mesh.polygonCount, inOpenings);
 }
 
 std::uint32_t MeshArena::shared(const PartMesh& part) {

@@ -13,7 +13,8 @@ public:
     std::uint32_t add(const MeshData& data, std::uint64_t contentKey);
     /// Sets MeshVertex::neighbour in a shell's triangles: the walls beyond their edges. Needed in zones of
     /// several cells, where depth alone decides between a wall and the surfaces of another cell behind it.
-    void setNeighbours(std::uint32_t shell);
+    /// `inOpenings`: MeshData::inOpenings.
+    void setNeighbours(std::uint32_t shell, std::span<const std::uint16_t> inOpenings);
     /// The mesh of a GfxObj, shared by all its instances.
     std::uint32_t shared(const PartMesh& part);
 

@@ -29,6 +29,7 @@ struct MeshData {
     std::vector<MeshVertex> vertices;
     std::array<std::vector<std::uint32_t>, 4> indices; ///< by SurfaceList
     std::vector<std::uint16_t> polygonIds;
+    std::vector<std::uint16_t> inOpenings; ///< numbers of polygons that are portal polygons, ascending
 
     [[nodiscard]] bool empty() const { return vertices.empty(); }
     [[nodiscard]] std::vector<std::uint32_t>& indicesOf(SurfaceList list) {

@@ -3,7 +3,7 @@
 namespace limen::world {
 
 std::size_t bytesOf(const MeshData& mesh) {
-    std::size_t bytes = bytesOf(mesh.vertices) + bytesOf(mesh.polygonIds);
+    std::size_t bytes = bytesOf(mesh.vertices) + bytesOf(mesh.polygonIds) + bytesOf(mesh.inOpenings);
     for (const std::vector<std::uint32_t>& indices : mesh.indices)
         bytes += bytesOf(indices);
     return bytes;

@@ -66,20 +66,15 @@ double limitOf(const dat::DegradeLevel& level, double detail) {
     return level.maxDistance * detail + kDegradeDistance;
 }
 
+/// Metres: the reach of emitters whose mesh has no levels of detail.
+constexpr double kFarthestParticles = 100.0;
+
 /// The sphere of a mesh around its origin, for every turn about it.
 Sphere inEveryTurn(const ModelPart& part, const Sphere& mesh) {
     if (mesh.radius < 0.0)
         return mesh;
     const Vec3 scale = glm::abs(part.scale);
     return {part.origin, (glm::length(mesh.centre) + mesh.radius) * std::max({scale.x, scale.y, scale.z})};
-}
-
-bool staysWithinUnit(const MeshData& mesh, std::size_t slot) {
-    constexpr float kSlack = 0.001f;
-    return std::all_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const MeshVertex& v) {
-        return v.surface != slot ||
-               (std::min(v.uv.x, v.uv.y) >= -kSlack && std::max(v.uv.x, v.uv.y) <= 1.0f + kSlack);
-    });
 }
 
 } // namespace
@@ -133,7 +128,7 @@ std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
 LevelBand Models::particleBand(dat::RecordId gfxObj) {
     const dat::DegradeInfo* info = levelsRecord(gfxObj, records_);
     if (info == nullptr || info->levels.empty())
-        return {};
+        return {0.0, kFarthestParticles * detail_};
     const std::size_t count = info->levels.size();
     const dat::DegradeLevel& level = info->levels[count > 2 ? count - 2 : 0]; // the last one ends the list
     return {0.0, level.maxDistance * detail_};
@@ -222,8 +217,9 @@ std::optional<PartMesh> Models::build(dat::RecordId gfxObj) {
     BakedGeometry geometry;
     std::vector<std::uint32_t> polygons;
     std::vector<Finding> findings;
-    for (SourcePolygon& polygon : readPolygons(record->vertexArray, record->polygons, record->surfaces.size(),
-                                               portals, gfxObj, findings))
+    for (SourcePolygon& polygon :
+         readPolygons(record->vertexArray, record->polygons,
+                      drawnSlots(record->surfaces, MeshOwner::Thing, records_), portals, gfxObj, findings))
         if (polygon.isDrawn())
             polygons.push_back(geometry.add(std::move(polygon), {}));
     records_.report(findings);
@@ -233,9 +229,8 @@ std::optional<PartMesh> Models::build(dat::RecordId gfxObj) {
         LIMEN_ASSERT(handle != kNone, "readPolygons leaves out all polygons that add() refuses");
         mesher.add(geometry, handle);
     }
+    part->clamp = mesher.clamped();
     part->mesh = mesher.finish();
-    for (std::size_t slot = 0; slot < part->surfaces.size(); ++slot)
-        part->clamp.push_back(staysWithinUnit(part->mesh, slot));
     return part;
 }
 

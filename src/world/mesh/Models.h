@@ -14,7 +14,7 @@ struct PartMesh {
     dat::RecordId gfxObj = 0;
     MeshData mesh;
     std::vector<dat::RecordId> surfaces; ///< by slot
-    std::vector<bool> clamp;             ///< by slot: true if texture coordinates stay within 0..1
+    std::vector<bool> clamp;             ///< by slot: false if its picture repeats
 };
 
 /// Distances at which a level of detail is drawn, metres at scale 1.
@@ -65,7 +65,8 @@ public:
     [[nodiscard]] const Model& model(dat::RecordId id);
     /// The model with the meshes of some of its parts replaced. Cost: reads the model anew in each call.
     [[nodiscard]] Model dressed(dat::RecordId id, const Dress& dress) { return read(id, &dress); }
-    /// The distances at which a particle with this mesh is drawn.
+    /// The distances from an emitter at which its particles are drawn: up to the greatest distance of the
+    /// mesh's second-last level, or of its only one; 100 m without levels.
     [[nodiscard]] LevelBand particleBand(dat::RecordId gfxObj);
     /// Null if the record is missing or damaged.
     [[nodiscard]] const PartMesh* part(dat::RecordId gfxObj);

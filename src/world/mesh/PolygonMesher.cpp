@@ -6,17 +6,21 @@
 namespace limen::world {
 namespace {
 
-Vec3f unitOr(const Vec3f& v, const Vec3f& fallback) {
+Vec3f unitOrZero(const Vec3f& v) {
     const float length = std::sqrt(glm::dot(v, v));
-    return length > 1e-6f ? v / length : fallback;
+    return length > 1e-6f ? v / length : Vec3f(0.0f);
 }
 
 } // namespace
 
 void PolygonMesher::add(const BakedGeometry& geometry, std::uint32_t handle) {
     LIMEN_ASSERT(mesh_.polygonIds.size() < 0x10000, "polygon numbers are 16 bits wide");
-    LIMEN_ASSERT(geometry.source(handle).isDrawn(), "portal polygons have no surface");
     const SourcePolygon& source = geometry.source(handle);
+    LIMEN_ASSERT(source.isDrawn(), "one of its sides has a surface");
+    noteRepeat(source.frontSlot, source.frontRepeats);
+    noteRepeat(source.backSlot, source.backRepeats);
+    if (source.isPortal)
+        mesh_.inOpenings.push_back(static_cast<std::uint16_t>(mesh_.polygonIds.size()));
     mesh_.polygonIds.push_back(source.id);
     for (const StitchLoop& loop : geometry.loops(handle))
         addLoop(loop, source, geometry.vertices());
@@ -32,14 +36,20 @@ void PolygonMesher::addLoop(std::span<const StitchCorner> loop, const SourcePoly
     if (triangles_.empty())
         return;
     if (source.frontSlot >= 0)
-        emitSide(loop, source.frontSlot, false);
+        emitSide(loop, source.frontSlot, Side::Front);
     if (source.backSlot >= 0)
-        emitSide(loop, source.backSlot, true);
+        emitSide(loop, source.backSlot, source.backIsLitAsFront ? Side::BackLitAsFront : Side::Back);
 }
 
-void PolygonMesher::emitSide(std::span<const StitchCorner> loop, std::int32_t slot, bool back) {
+void PolygonMesher::noteRepeat(std::int32_t slot, bool repeats) {
+    if (slot >= 0 && static_cast<std::size_t>(slot) < clamped_.size() && repeats)
+        clamped_[static_cast<std::size_t>(slot)] = false;
+}
+
+void PolygonMesher::emitSide(std::span<const StitchCorner> loop, std::int32_t slot, Side side) {
     LIMEN_ASSERT(loop.size() == points_.size(), "points_ are the corners of this loop");
-    const Vec3f flat(planeOf(points_).n);
+    const bool back = side != Side::Front;
+    const float sign = side == Side::Back ? -1.0f : 1.0f;
     const auto slotIndex = static_cast<std::size_t>(slot);
     std::vector<std::uint32_t>& indices =
         mesh_.indicesOf(slotIndex < lists_.size() ? lists_[slotIndex] : SurfaceList::Opaque);
@@ -47,7 +57,7 @@ void PolygonMesher::emitSide(std::span<const StitchCorner> loop, std::int32_t sl
         for (const std::uint32_t i : {t[0], back ? t[2] : t[1], back ? t[1] : t[2]}) {
             MeshVertex vertex;
             vertex.placeAt(points_[i]);
-            vertex.normal = unitOr(loop[i].normal, flat) * (back ? -1.0f : 1.0f);
+            vertex.normal = unitOrZero(loop[i].normal) * sign;
             vertex.uv = back ? loop[i].back : loop[i].front;
             vertex.polygon = static_cast<std::uint16_t>(mesh_.polygonIds.size() - 1);
             vertex.surface = static_cast<std::uint16_t>(slot);

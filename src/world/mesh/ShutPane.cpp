@@ -20,7 +20,8 @@ MeshData placedBetween(std::span<const Vec3> outline, const MeshData& part, cons
     for (MeshVertex& vertex : placed.vertices) {
         vertex.placeAt(onto(outline, placement.origin + placement.linear * vertex.corner()));
         const Vec3 normal = normalMatrix(placement.linear) * Vec3(vertex.normal);
-        vertex.normal = Vec3f(glm::normalize(normal));
+        const double length = glm::length(normal);
+        vertex.normal = length > 0.0 ? Vec3f(normal / length) : Vec3f(0.0f);
         vertex.neighbour = Vec3f(0.0f);
     }
     return placed;

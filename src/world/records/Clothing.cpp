@@ -15,14 +15,17 @@ const Value* findKey(const dat::PackedHashTable<Value>& table, std::uint32_t key
     return found != table.entries.end() ? &found->second : nullptr;
 }
 
-void changeParts(const std::vector<dat::PartChange>& changes, Dress& dress) {
+/// A swap to a mesh that does not exist keeps the limb.
+void changeParts(const std::vector<dat::PartChange>& changes, Records& records, Dress& dress) {
     for (const dat::PartChange& change : changes) {
         DressedPart& part = dress.parts[change.part];
-        if (change.gfxObj != 0 && change.gfxObj != part.gfxObj)
-            part = {change.gfxObj, {}}; // texture changes of the replaced mesh are lost with it
+        if (change.gfxObj != 0 && records.gfxObj(change.gfxObj) != nullptr)
+            part.gfxObj = change.gfxObj;
         part.textures.insert(part.textures.end(), change.textures.begin(), change.textures.end());
     }
 }
+
+constexpr std::uint32_t kWholePalette = 0xFFFFFFFF; ///< a count; it is cut to the palette
 
 /// The palette that a change names, directly or as one shade of a set; 0 if there is none.
 dat::RecordId paletteOf(const dat::PaletteChange& change, double shade, Records& records) {
@@ -51,14 +54,16 @@ std::size_t shadeIndex(std::size_t count, double shade) {
     return at > 0.0 ? std::min(static_cast<std::size_t>(at), count - 1) : 0;
 }
 
-Dress dressOf(dat::RecordId setup, std::span<const ClothingEntry> clothes, Records& records) {
+Dress dressOf(dat::RecordId setup, const Outfit& outfit, Records& records) {
     Dress dress;
-    for (const ClothingEntry& piece : clothes) {
+    if (outfit.basePalette != 0)
+        dress.overlays.push_back({outfit.basePalette, 0, kWholePalette});
+    for (const ClothingEntry& piece : outfit.garments) {
         const dat::ClothingTable* table = records.clothingTable(piece.table);
         if (table == nullptr)
             continue;
         if (const std::vector<dat::PartChange>* changes = findKey(table->parts, setup))
-            changeParts(*changes, dress);
+            changeParts(*changes, records, dress);
         const dat::PaletteTemplate* colours =
             piece.palette != 0 ? findKey(table->palettes, piece.palette) : nullptr;
         if (colours != nullptr)

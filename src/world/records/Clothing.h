@@ -26,7 +26,8 @@ struct DressedPart {
 /// The changes to a Setup.
 struct Dress {
     std::map<std::uint32_t, DressedPart> parts; ///< by part
-    std::vector<PaletteOverlay> overlays; ///< applied in order to the palettes of all its indexed pictures
+    /// Applied in order to the palettes of all its indexed pictures. A base palette comes first and covers all.
+    std::vector<PaletteOverlay> overlays;
 
     [[nodiscard]] bool empty() const { return parts.empty() && overlays.empty(); }
     /// Null if the part is unchanged.
@@ -36,9 +37,16 @@ struct Dress {
     }
 };
 
-/// The look of a Setup in these clothes; later entries cover earlier ones. A missing or damaged record
-/// changes nothing and is reported. A table without an entry for the Setup changes colours only.
-[[nodiscard]] Dress dressOf(dat::RecordId setup, std::span<const ClothingEntry> clothes, Records& records);
+/// Garments on a body. `basePalette` takes the place of each indexed picture's own palette; 0: none does.
+struct Outfit {
+    std::span<const ClothingEntry> garments;
+    dat::RecordId basePalette = 0;
+};
+
+/// The look of a Setup in these clothes. First the parts of all garments are swapped, then all textures are
+/// changed: of two changes of one texture of a part the later counts. A missing or damaged record changes nothing
+/// and is reported. A table without an entry for the Setup changes colours only.
+[[nodiscard]] Dress dressOf(dat::RecordId setup, const Outfit& outfit, Records& records);
 
 /// A palette with overlays applied. An overlay is cut to the size of both palettes; one whose palette is
 /// missing has no effect.

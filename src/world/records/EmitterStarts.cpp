@@ -1,6 +1,7 @@
 #include "world/records/EmitterStarts.h"
 
 #include "core/Assert.h"
+#include "world/HashedUnit.h"
 
 #include <algorithm>
 #include <cstring>
@@ -16,6 +17,7 @@ constexpr std::uint32_t kCreate = 0x0D, kDestroy = 0x0E, kStop = 0x0F, kDefaultS
 // Seconds. Without a least period, a script that calls itself without a delay would start infinitely often at
 // one time.
 constexpr double kLeastPeriod = 1.0 / 30.0;
+constexpr double kLeastPause = 0.0002; // shorter ones do not count
 // Limits beyond the needs of every intact script. More means damaged data.
 constexpr std::size_t kDeepest = 16, kMostStarts = 256, kMostRuns = 1024;
 
@@ -35,34 +37,49 @@ double timeOf(double seconds) {
 
 } // namespace
 
-std::vector<EmitterStart> EmitterStarts::ofDefaultScript(const dat::Setup& setup) {
-    return setup.script != 0 ? ofScript(setup.script, setup) : std::vector<EmitterStart>();
+std::vector<EmitterStart> EmitterStarts::ofDefaultScript(const dat::Setup& setup, std::uint64_t seed) {
+    return setup.script != 0 ? ofScript(setup.script, setup, seed) : std::vector<EmitterStart>();
 }
 
-std::vector<EmitterStart> EmitterStarts::ofScript(dat::RecordId script, const dat::Setup& setup) {
+void EmitterStarts::begin(const dat::Setup& setup, std::uint64_t seed) {
     LIMEN_ASSERT(running_.empty() && started_.empty(), "no call is under way");
     setup_ = &setup;
+    seed_ = seed;
+    draws_ = 0;
     runs_ = 0;
-    run(script, 0.0);
+}
+
+std::vector<EmitterStart> EmitterStarts::ofScript(dat::RecordId script, const dat::Setup& setup,
+                                                  std::uint64_t seed) {
+    begin(setup, seed);
+    run(script, 0.0, 0.0);
     return std::exchange(started_, {});
 }
 
-std::vector<EmitterStart> EmitterStarts::ofHook(const dat::AnimationHook& hook, const dat::Setup& setup) {
-    LIMEN_ASSERT(running_.empty() && started_.empty(), "no call is under way");
-    setup_ = &setup;
-    runs_ = 0;
+std::vector<EmitterStart> EmitterStarts::ofHook(const dat::AnimationHook& hook, const dat::Setup& setup,
+                                                std::uint64_t seed) {
+    begin(setup, seed);
     play(hook, 0.0);
     return std::exchange(started_, {});
 }
 
-void EmitterStarts::run(dat::RecordId script, double at) {
+double EmitterStarts::drawnPause(double longest) {
+    return longest >= kLeastPause ? longest * hashedUnit(seed_, draws_++, 0) : 0.0;
+}
+
+void EmitterStarts::run(dat::RecordId script, double at, double pause) {
     const auto again =
         std::find_if(running_.begin(), running_.end(), [&](const Running& r) { return r.script == script; });
     if (again != running_.end()) {
-        if (again->period == 0.0)
-            again->period = std::max(at - again->start, kLeastPeriod);
+        // Repetitions are half the pause apart in the mean. Each comes later by up to half the pause: the
+        // intervals are 0 to `pause` longer than the script.
+        if (again->period == 0.0) {
+            again->period = std::max(at + pause / 2.0 - again->start, kLeastPeriod);
+            again->jitter = pause / 2.0;
+        }
         return;
     }
+    at += drawnPause(pause);
     const dat::PhysicsScript* record = records_.physicsScript(script);
     if (record == nullptr)
         return;
@@ -71,7 +88,7 @@ void EmitterStarts::run(dat::RecordId script, double at) {
             records_.report({script, "scripts call each other too often: it is not run"});
         return;
     }
-    running_.push_back({script, at, started_.size(), 0.0});
+    running_.push_back({script, at, started_.size(), 0.0, 0.0});
     for (const dat::ScriptedHook& hook : record->hooks)
         play(hook.hook, at + timeOf(hook.startTime));
     repeat(running_.back());
@@ -86,6 +103,7 @@ void EmitterStarts::repeat(const Running& running) {
         if (start.period != 0.0)
             continue; // an inner script that repeats by itself keeps its own period
         start.period = running.period;
+        start.jitter = running.jitter;
     }
 }
 
@@ -95,7 +113,7 @@ void EmitterStarts::play(const dat::AnimationHook& hook, double at) {
         create(hook, at, false);
         return;
     case kCreateBlocking:
-        if (!hook.payload.empty()) // an empty payload is an open question: docs/uncertain.md
+        if (!hook.payload.empty())
             create(hook, at, true);
         return;
     case kDestroy:
@@ -105,10 +123,10 @@ void EmitterStarts::play(const dat::AnimationHook& hook, double at) {
     case kDefaultScript:
     case kDefaultScriptPart:
         if (setup_->script != 0)
-            run(setup_->script, at);
+            run(setup_->script, at, 0.0);
         return;
     case kCallScript:
-        run(wordAt<std::uint32_t>(hook, 0), at + timeOf(static_cast<double>(wordAt<float>(hook, 4))));
+        run(wordAt<std::uint32_t>(hook, 0), at, timeOf(static_cast<double>(wordAt<float>(hook, 4))));
         return;
     default:
         return;

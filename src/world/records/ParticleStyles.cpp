@@ -8,8 +8,8 @@
 namespace limen::world {
 namespace {
 
-/// Seconds between two births at least: the original client creates one particle a frame at most.
-constexpr double kLeastInterval = 1.0 / 60.0;
+/// Seconds between two births at least. The original client creates one particle an update at most.
+constexpr double kLeastInterval = 0.001;
 constexpr double kLongestLife = 1e9; ///< seconds; practically endless, and sums of it are still finite
 constexpr float kSmallest = 0.1f,
                 kLargest = 10.0f; ///< limits of scales. docs/formats/effects_anim.md#drawing-particles
@@ -56,9 +56,9 @@ double mostWay(const ParticleStyle& style, double births) {
         return a * life;
     case dat::ParticleType::Swarm:
         return a * life + c;
-    case dat::ParticleType::Explode: // C is a direction
-        return life * (life * b + a);
-    case dat::ParticleType::Implode: // it leaves by its distance from the emitter, and returns
+    case dat::ParticleType::Explode:        // C is a direction
+        return life * (life * b + 2.0 * a); // A.x along a direction, and A.z upwards
+    case dat::ParticleType::Implode:        // it leaves by its distance from the emitter, and returns
         return births * c + births * c + life * life * b;
     default:
         return a * life + 0.5 * b * life * life;

@@ -48,20 +48,22 @@ bool isSane(const Vec3& p) {
     return isFinite(p) && std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < kFarthestPoint;
 }
 
-std::int32_t slot(std::int16_t surface, std::size_t surfaceCount) {
-    return surface >= 0 && static_cast<std::size_t>(surface) < surfaceCount ? surface : -1;
+std::int32_t slot(std::int16_t surface, const std::vector<bool>& drawn) {
+    const auto index = static_cast<std::size_t>(surface);
+    return surface >= 0 && index < drawn.size() && drawn[index] ? surface : -1;
 }
 
-/// A polygon without positive texture coordinates is a helper: neither side is drawn.
-void readSides(const dat::Polygon& polygon, std::size_t surfaceCount, SourcePolygon& out) {
-    if ((polygon.stippling & dat::kNoPositiveUv) != 0)
-        return;
-    out.frontSlot = slot(polygon.posSurface, surfaceCount);
-    if (polygon.sides == static_cast<std::int32_t>(dat::Sides::Double))
+void readSides(const dat::Polygon& polygon, const std::vector<bool>& drawn, SourcePolygon& out) {
+    out.frontSlot = slot(polygon.posSurface, drawn);
+    out.frontRepeats = (polygon.stippling & dat::kRepeatPositive) != 0;
+    if (polygon.sides == static_cast<std::int32_t>(dat::Sides::Double)) {
         out.backSlot = out.frontSlot;
-    else if (polygon.sides == static_cast<std::int32_t>(dat::Sides::Both) &&
-             (polygon.stippling & dat::kNoNegativeUv) == 0)
-        out.backSlot = slot(polygon.negSurface, surfaceCount);
+        out.backRepeats = out.frontRepeats;
+        out.backIsLitAsFront = true;
+    } else if (polygon.sides == static_cast<std::int32_t>(dat::Sides::Both)) {
+        out.backSlot = slot(polygon.negSurface, drawn);
+        out.backRepeats = (polygon.stippling & dat::kRepeatNegative) != 0;
+    }
 }
 
 bool readCorners(const VertexLookup& lookup, const dat::Polygon& polygon, SourcePolygon& out) {
@@ -79,18 +81,21 @@ bool readCorners(const VertexLookup& lookup, const dat::Polygon& polygon, Source
     return out.corners.size() >= 3;
 }
 
-bool fits(const std::vector<PortalPolygonRef>& refs, const std::set<std::uint16_t>& polygons,
-          std::size_t portalCount) {
-    return std::all_of(refs.begin(), refs.end(), [&](const PortalPolygonRef& ref) {
-        return polygons.contains(ref.polygonId) && ref.portalIndex < portalCount;
-    });
-}
-
 } // namespace
 
+std::vector<bool> drawnSlots(std::span<const dat::RecordId> surfaces, MeshOwner owner, Records& records) {
+    std::vector<bool> drawn;
+    for (const dat::RecordId id : surfaces) {
+        const dat::Surface* surface = records.surface(id);
+        drawn.push_back(owner == MeshOwner::Thing || surface == nullptr || surface->hasImage());
+    }
+    return drawn;
+}
+
 std::vector<SourcePolygon> readPolygons(const dat::VertexArray& vertices, const dat::PolygonList& polygons,
-                                        std::size_t surfaceCount, const std::set<std::uint16_t>& portals,
-                                        dat::RecordId record, std::vector<Finding>& findings) {
+                                        const std::vector<bool>& drawn,
+                                        const std::set<std::uint16_t>& portals, dat::RecordId record,
+                                        std::vector<Finding>& findings) {
     const VertexLookup lookup(vertices);
     std::vector<SourcePolygon> out;
     out.reserve(polygons.size());
@@ -99,11 +104,10 @@ std::vector<SourcePolygon> readPolygons(const dat::VertexArray& vertices, const 
         SourcePolygon source;
         source.id = id;
         source.isPortal = portals.contains(id);
-        readSides(polygon, surfaceCount, source);
+        readSides(polygon, drawn, source);
         if (!source.isPortal && !source.isDrawn())
             continue;
-        LIMEN_ASSERT(source.frontSlot < static_cast<std::int64_t>(surfaceCount) &&
-                         source.backSlot < static_cast<std::int64_t>(surfaceCount),
+        LIMEN_ASSERT(source.frontSlot < std::ssize(drawn) && source.backSlot < std::ssize(drawn),
                      "slots are those of the record");
         if (readCorners(lookup, polygon, source) && out.size() < 0xFFFF)
             out.push_back(std::move(source));
@@ -135,17 +139,11 @@ std::vector<PortalPolygonRef> portalRefs(const dat::GfxObj& model, std::size_t p
     std::set<std::uint16_t> polygons;
     for (const auto& [id, polygon] : model.polygons)
         polygons.insert(id);
-    std::vector<PortalPolygonRef> refs, swapped;
-    for (const dat::BspNode& node : model.drawingBsp.nodes) {
-        if (node.tag != dat::BspTag::Port)
-            continue;
-        for (const dat::PortalRef& ref : node.portals) {
-            refs.push_back({ref.polygonId, ref.portalIndex});
-            swapped.push_back({ref.portalIndex, ref.polygonId});
-        }
-    }
-    if (!fits(refs, polygons, portalCount) && fits(swapped, polygons, portalCount))
-        refs = std::move(swapped);
+    std::vector<PortalPolygonRef> refs;
+    for (const dat::BspNode& node : model.drawingBsp.nodes)
+        if (node.tag == dat::BspTag::Port)
+            for (const dat::PortalRef& ref : node.portals)
+                refs.push_back({ref.polygonId, ref.portalIndex});
     std::erase_if(refs, [&](const PortalPolygonRef& ref) {
         return !polygons.contains(ref.polygonId) || ref.portalIndex >= portalCount;
     });

@@ -22,7 +22,7 @@ const dat::AnimationFrame* restingPose(const dat::Setup& setup) {
             if (placement == wanted)
                 return &frame;
     }
-    return setup.placementFrames.empty() ? nullptr : &setup.placementFrames.front().second;
+    return nullptr;
 }
 
 Pose restOf(const dat::Setup& setup, std::size_t part) {

@@ -15,8 +15,7 @@ struct Pose {
 /// An orientation that cannot be normalised becomes the identity; an origin that is not finite becomes zero.
 [[nodiscard]] Pose poseOf(const dat::Frame& frame);
 
-/// The frames of the pose for static display: the resting placement, else the default one, else the first.
-/// Null without any.
+/// The frames of the pose for static display: the resting placement, else the default one. Null without both.
 [[nodiscard]] const dat::AnimationFrame* restingPose(const dat::Setup& setup);
 
 /// The resting pose of a part of a Setup, in the object's frame; the identity for parts that no placement

@@ -23,18 +23,27 @@ void Records::report(const std::vector<Finding>& findings) {
         report(finding);
 }
 
+namespace {
+
+/// A greater translucency sets the bit.
+constexpr float kLeastTranslucency = 0.0002f;
+
+bool isTranslucent(const dat::Surface& surface) {
+    return (surface.type & dat::Surface::kTranslucent) != 0 || surface.translucency > kLeastTranslucency;
+}
+
+} // namespace
+
 SurfaceClass surfaceClassOf(const dat::Surface& surface) {
     constexpr std::uint32_t kBlending =
-        dat::Surface::kTranslucent | dat::Surface::kAlpha | dat::Surface::kInvAlpha | dat::Surface::kAdditive;
-    if ((surface.type & kBlending) != 0 || (surface.translucency > 0.0f && surface.translucency < 1.0f))
+        dat::Surface::kAlpha | dat::Surface::kInvAlpha | dat::Surface::kAdditive;
+    if ((surface.type & kBlending) != 0 || isTranslucent(surface))
         return SurfaceClass::Blended;
     return (surface.type & dat::Surface::kBase1ClipMap) != 0 ? SurfaceClass::CutOut : SurfaceClass::Opaque;
 }
 
 float alphaOf(const dat::Surface& surface) {
-    const bool translucent = (surface.type & dat::Surface::kTranslucent) != 0 ||
-                             (surface.translucency > 0.0f && surface.translucency < 1.0f);
-    if (!translucent || !std::isfinite(surface.translucency))
+    if (!isTranslucent(surface) || !std::isfinite(surface.translucency))
         return 1.0f;
     return 1.0f - std::clamp(surface.translucency, 0.0f, 1.0f);
 }

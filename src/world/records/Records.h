@@ -127,7 +127,7 @@ private:
 };
 
 /// The class follows from the Surface alone, never from its texels' alpha: Alpha, InvAlpha, Additive and
-/// Translucent (or a translucency between 0 and 1) blend, clip maps cut out, all others are opaque.
+/// Translucent (or a translucency above 0.0002) blend, clip maps cut out, all others are opaque.
 /// docs/formats/textures.md#drawing-order-and-blending.
 [[nodiscard]] SurfaceClass surfaceClassOf(const dat::Surface& surface);
 /// 1 - translucency if the surface is translucent, else 1.

@@ -3,6 +3,9 @@
 #include "core/Assert.h"
 #include "geometry/Angles.h"
 #include "world/LandRandom.h"
+#include "world/terrain/SceneryFit.h"
+
+#include <algorithm>
 
 namespace limen::world {
 namespace {
@@ -40,18 +43,21 @@ double headingOf(double x, double y) {
 }
 
 Quat orientationOf(const dat::SceneObject& object, const RandomGenerator& random, const Vec3& normal) {
+    const Quat stored(object.baseLoc.orientation);
+    const double length = glm::length(stored);
+    const Quat base = std::isfinite(length) && length > 1e-6 ? stored / length : Quat(1.0, 0.0, 0.0, 0.0);
     double heading = 0.0;
-    if (object.align != 0) {
+    if (object.align != 0)
         heading = headingOf(-normal.x, -normal.y);
-    } else if (object.maxRotation > 0.0f) {
+    else if (object.maxRotation > 0.0f)
         heading = random.roll(seed::kRotation) * static_cast<double>(object.maxRotation);
-    } else {
-        const Quat q(object.baseLoc.orientation);
-        const double length = glm::length(q);
-        return std::isfinite(length) && length > 1e-6 ? q / length : Quat(1.0, 0.0, 0.0, 0.0);
-    }
+    else
+        return base;
+    // A heading replaces the turn about z and keeps the pitch: the slope of the object's y axis.
     const double half = -heading * kDegree * 0.5;
-    return {std::cos(half), 0.0, 0.0, std::sin(half)};
+    const double pitch = std::asin(std::clamp((base * Vec3(0.0, 1.0, 0.0)).z, -1.0, 1.0));
+    return Quat(std::cos(half), 0.0, 0.0, std::sin(half)) *
+           Quat(std::cos(pitch * 0.5), std::sin(pitch * 0.5), 0.0, 0.0);
 }
 
 double scaleOf(const dat::SceneObject& object, const RandomGenerator& random) {
@@ -155,7 +161,8 @@ std::vector<SceneryObject> growScenery(const Ground& ground, const dat::Region& 
         RandomGenerator random{static_cast<std::uint32_t>(ground.coord.x * 8 + vertex / 9),
                                static_cast<std::uint32_t>(ground.coord.y * 8 + vertex % 9), 0};
         for (const dat::SceneObject& object : scene->objects) {
-            if (std::optional<SceneryObject> one = grow(object, random, ground, vertex, builtCells))
+            const std::optional<SceneryObject> one = grow(object, random, ground, vertex, builtCells);
+            if (one && isWithinBlock(one->model, one->origin, one->orientation, records))
                 grown.push_back(*one);
             ++random.k;
         }

@@ -80,7 +80,9 @@ std::uint32_t Materials::material(dat::RecordId id, bool clamp, std::span<const 
     if (surface->hasImage())
         material.texture =
             texture({key.texture, surface->palette, (surface->type & dat::Surface::kBase1ClipMap) != 0,
-                     (surface->type & dat::Surface::kAdditive) != 0, key.overlays});
+                     (surface->type & dat::Surface::kAdditive) != 0, key.overlays, clamp});
+    if (material.texture != kNone && world_.textures[material.texture]->isIndexed)
+        material.flags |= Material::kIndexed;
     world_.materials.push_back(material);
     return entry->second;
 }

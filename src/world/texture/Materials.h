@@ -18,7 +18,7 @@ public:
     Materials(Records& records, World& world, PictureCache* cache = nullptr)
         : records_(records), world_(world), cache_(cache) {}
 
-    /// The material of a Surface. `clamp`: its texture coordinates stay within 0..1.
+    /// The material of a Surface. `clamp`: its picture does not repeat.
     [[nodiscard]] std::uint32_t material(dat::RecordId surface, bool clamp) {
         return material(surface, clamp, {}, {});
     }
@@ -28,7 +28,7 @@ public:
                                          std::span<const PaletteOverlay> overlays);
     /// The texture of a SurfaceTexture by default rules, for terrain and its blend maps.
     [[nodiscard]] std::uint32_t plainTexture(dat::RecordId surfaceTexture) {
-        return texture({surfaceTexture, 0, false, false, 0});
+        return texture({surfaceTexture, 0, false, false, 0, false});
     }
 
 private:
@@ -38,6 +38,7 @@ private:
         dat::RecordId palette = 0; ///< 0: the picture's own
         bool clipMap = false, additive = false;
         std::uint32_t overlays = 0; ///< index into overlays_
+        bool clamp = false;         ///< clamped and repeated uses are two textures with one image
         friend auto operator<=>(const TextureKey&, const TextureKey&) = default;
     };
     struct MaterialKey {

@@ -114,12 +114,6 @@ Result<void> check(const dat::RenderSurface& picture, const dat::Palette* palett
     return {};
 }
 
-void makeBlackTransparent(Image& image) {
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-        if (image.rgba[i] == 0 && image.rgba[i + 1] == 0 && image.rgba[i + 2] == 0)
-            image.rgba[i + 3] = 0;
-}
-
 } // namespace
 
 Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette* palette,
@@ -132,11 +126,10 @@ Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette*
     Image image;
     image.width = static_cast<std::uint32_t>(picture.width);
     image.height = static_cast<std::uint32_t>(picture.height);
+    image.isIndexed = isIndexed(picture.format);
     image.rgba.resize(std::size_t{image.width} * image.height * 4);
     if (const std::optional<DxtKind> kind = dxtKind(picture.format)) {
         decodeDxt(*kind, image.width, image.height, picture.pixels, image.rgba);
-        if (rules.clipMap)
-            makeBlackTransparent(image);
     } else {
         const std::size_t step = texelBytes(picture.format);
         for (std::size_t i = 0; i * step < picture.pixels.size(); ++i) {

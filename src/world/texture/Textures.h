@@ -8,7 +8,7 @@ namespace limen::world {
 
 /// The rules by which a surface reads its picture.
 struct DecodeRules {
-    bool clipMap = false;  ///< palette indices 0..7, and black in DXT, are transparent
+    bool clipMap = false;  ///< palette indices 0..7 are transparent
     bool additive = false; ///< for A8. true: the value is colour and alpha; false: white with that alpha
 };
 

@@ -143,7 +143,7 @@ void addChimney(FaceMesh& mesh, const Vec3& foot, double top) {
                    .height = 0.4,
                    .sides = 10,
                    .side = Material::Brick,
-                   .cap = Material::Iron});
+                   .cap = Material::Rock});
 }
 
 } // namespace limen::worlds
