@@ -125,6 +125,8 @@ TEST(Tolerances, noFileSpellsOutACharacteristicValue) {
         "src/motion/Particles.cpp kNoDirection",               // length of a vector
         "shaders/include/onpolygon.glsl kFlat",                // share of a depth
         "src/doctor/retail/Hooks.h kImmediatePause",           // seconds
+        "src/world/records/EmitterStarts.cpp kLeastPause",     // seconds
+        "src/world/records/Records.cpp kLeastTranslucency",    // a share of full opacity
         "worlds/builtin/buildings/MeetingHall.cpp kApseLower", // metres that a wall is lower
     };
     const auto shared = tolerances();
