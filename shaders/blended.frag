@@ -11,8 +11,8 @@ void main() {
     vec2 dx = dFdx(painted.uv);
     vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
-    GateResult keep = keepOf(instance);
-    if (!keep.kept) {
+    bool keep = isKept(instance);
+    if (!keep) {
         discard;
     }
     Material material = materials[vSurface];
@@ -25,8 +25,8 @@ void main() {
     if (isSplit(material) && (alpha >= kSolidAlpha + kSplitOverlap || alpha < kLeastAlpha)) {
         discard;
     }
-    vec3 colour = lit(material.colour.rgb * texel.rgb, material.luminosity, material.diffuse, keep, painted.at, painted.normal);
-    colour = highlighted(colour, instance.highlight) * alpha;
-    float covered = (material.flags & kMaterialAdditive) != 0u ? 0.0 : alpha;
-    outColour = vec4(mix(colour, frame.fogColour.rgb * covered, fogShare(keep, painted.at)), covered);
+    bool isAdditive = (material.flags & kMaterialAdditive) != 0u;
+    vec3 colour = highlighted(material.colour.rgb * texel.rgb * painted.light, instance.highlight);
+    colour = mix(colour, frame.fogColour.rgb, isAdditive ? 0.0 : fogAt(painted.at)); // fog passes additive ones by
+    outColour = vec4(colour * alpha, isAdditive ? 0.0 : alpha);
 }

@@ -29,7 +29,7 @@ void main() {
     vec2 dy = dFdy(painted.uv);
 #endif
     Instance instance = drawnInstance();
-    GateResult keep = keepOf(instance);
+    bool keep = isKept(instance);
     Material material = materials[vSurface];
 #ifdef FLAT
     float alpha = 1.0;
@@ -47,13 +47,13 @@ void main() {
         least = kSolidAlpha;
         alpha *= instance.opacity;
     }
-    if (!keep.kept || !isHere || alpha < least) {
+    if (!keep || !isHere || alpha < least) {
         discard;
     }
 #ifdef FLAT
     outColour = colourOfId(vId);
 #else
-    outColour = opaqueColour(colour.rgb, material.luminosity, material.diffuse, painted, instance, keep);
+    outColour = opaqueColour(colour.rgb, painted, instance);
 #endif
     outId = vId;
 }

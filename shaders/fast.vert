@@ -38,31 +38,20 @@ vec3 eyeRelativePlace() {
     return result;
 }
 
-#ifdef LAMPS
-vec3 lampsAt(vec3 eyeRelative, vec3 normal) {
-    vec3 light = vec3(0.0);
-    for (uint i = 0u; i < inLook.w; ++i) {
-        uint first = device.firstLamp + (inLook.z + i) * kLampTexels;
-        vec4 place = uintBitsToFloat(ringTexel(first)); // Lamp.position
-        vec3 colour = uintBitsToFloat(ringTexel(first + 1u).rgb);
-        light += colour * lampShare(place.xyz - eyeRelative, place.w, normal);
-    }
-    return light;
-}
-#endif
-
-// Factors of a surface with this colour: the incident light, with a lower bound, then fog and highlight over it.
-Look lookOf(vec3 eyeRelative, vec3 albedo, float luminosity, float diffuse, float withFog) {
-    vec3 normal = normalize(turned(inNormal.xyz));
-    vec3 light = inAmbient.rgb + inSun.rgb * max(0.0, dot(normal, frame.sunDirection.xyz));
-    float fog = inOffsetRest.w * fogOutside(eyeRelative);
+// Factors of a surface with this colour: the light, then fog and highlight over it.
+Look lookOf(vec3 eyeRelative, vec3 albedo, float emission, float fogged) {
+    Incident incident = Incident(inAmbient.rgb, inSun.rgb, inMembers.w, inLook.z, inLook.w);
+    vec3 origin = vec3(inRow0.w, inRow1.w, inRow2.w);
+    vec3 light = lightAt(incident, emission, eyeRelative, unitOrZero(turned(inNormal.xyz)), origin);
+    float fog = fogged * fogAt(eyeRelative);
     vec4 over = unpackUnorm4x8(inLook.y);
-#ifdef LAMPS
-    light += lampsAt(eyeRelative, normal);
+#ifdef BLENDED
+    vec2 shares = vec2((1.0 - over.a) * (1.0 - fog), over.a * (1.0 - fog)); // of the light, of the highlight
+    return Look(albedo * light * shares.x, over.rgb * shares.y + frame.fogColour.rgb * fog);
+#else
+    return Look(albedo * light * ((1.0 - fog) * (1.0 - over.a)),
+                frame.fogColour.rgb * (fog * (1.0 - over.a)) + over.rgb * over.a);
 #endif
-    vec3 times = albedo * max(light * diffuse, vec3(luminosity));
-    return Look(times * ((1.0 - fog) * (1.0 - over.a)),
-                frame.fogColour.rgb * (fog * withFog * (1.0 - over.a)) + over.rgb * over.a);
 }
 
 #if defined(CUTOUT) || defined(BLENDED)
@@ -80,12 +69,12 @@ void setAlpha(Material material, float opacity) {
 
 void setSurface(vec3 eyeRelative) {
     Material material = materials[materialRefs[inLook.x + (inPolygonSurface >> 16)]];
-    float withFog = 1.0;
+    float fogged = 1.0;
 #ifdef BLENDED
     vCover = (material.flags & kMaterialAdditive) != 0u ? 0.0 : 1.0;
-    withFog = vCover; // an additive surface covers no fog
+    fogged = vCover; // fog passes additive surfaces by
 #endif
-    setTexture(material, lookOf(eyeRelative, material.colour.rgb, material.luminosity, material.diffuse, withFog));
+    setTexture(material, lookOf(eyeRelative, material.colour.rgb, material.luminosity, fogged));
     vUv = inUv;
 #if defined(CUTOUT) || defined(BLENDED)
     setAlpha(material, inAmbient.a);
@@ -99,7 +88,7 @@ void main() {
     vec3 eyeRelative = eyeRelativePlace();
     gl_Position = clipFromEye(eyeRelative);
 #ifdef TERRAIN
-    Look look = lookOf(eyeRelative, vec3(1.0), 0.0, 1.0, 1.0);
+    Look look = lookOf(eyeRelative, vec3(1.0), 0.0, 1.0);
     vTimes = look.times;
     vPlus = look.plus;
     vUv = vec2(inUv.x, 1.0 - inUv.y);

@@ -3,9 +3,10 @@
 #extension GL_ARB_shader_draw_parameters : require
 #define BLENDED
 #define SKY
-#include "transform.glsl"
+#include "skylight.glsl"
 
 layout(location = kAttributePosition) in vec3 inPosition;
+layout(location = kAttributeNormal) in vec4 inNormal;
 layout(location = kAttributeUv) in vec2 inUv;
 layout(location = kAttributePolygonSurface) in uint inPolygonSurface;
 
@@ -16,10 +17,9 @@ layout(location = kAttributePolygonSurface) in uint inPolygonSurface;
 void main() {
     SkyInstance object = skyInstances[uint(gl_BaseInstanceARB)];
     Material material = materials[materialRefs[object.firstMaterial + (inPolygonSurface >> 16)]];
-    vec4 clip = clipFromEye(blockFromModel(inPosition, object.row0, object.row1, object.row2));
-    gl_Position = vec4(clip.xy, kSkyDepth * clip.w, clip.w);
+    gl_Position = skyPosition(object, inPosition);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
-    setTexture(material, Look(material.colour.rgb * object.luminosity, vec3(0.0)));
+    setTexture(material, Look(material.colour.rgb * skyLight(object, material, inNormal.xyz), vec3(0.0)));
     vAlpha = blendedAlpha(material, object.opacity, kAllAlpha);
     vCover = (material.flags & kMaterialAdditive) != 0u ? 0.0 : 1.0;
 }

@@ -8,8 +8,7 @@
 layout(location = kOutputBlended) out vec4 outLayers;
 
 void main() {
-    GateResult keep = keepOf(drawnInstance());
-    if (!keep.kept) {
+    if (!isKept(drawnInstance())) {
         discard;
     }
     outLayers = vec4(1.0, layerHash(vId), 0.0, 0.0);

@@ -1,11 +1,11 @@
 // Vertices of every mesh of the solid and transparent stages, terrain included.
 // In: one vertex of the arena, model space; gl_BaseInstance + gl_InstanceID: the instance, and kGated. Out: clip
-// position; eye-relative position and world-axes normal for the gate and the light; values that are constant over a
-// triangle.
+// position; eye-relative position for the gate; the light; values that are constant over a triangle.
 // TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh.
 // EXACT: triangles are drawn slightly larger, and fragments outside are discarded (outline.glsl).
 #extension GL_ARB_shader_draw_parameters : require
 #include "frommodel.glsl"
+#include "incident.glsl"
 #include "samples.glsl"
 
 layout(location = kAttributePosition) in vec3 inPosition;
@@ -17,7 +17,7 @@ layout(location = kAttributeRest) in vec3 inRest;
 
 invariant gl_Position;
 layout(location = kVaryingEyeRelative) SMOOTH out vec3 vEyeRelative;
-layout(location = kVaryingNormal) SMOOTH out vec3 vNormal;
+layout(location = kVaryingLight) SMOOTH out vec3 vLight;
 layout(location = kVaryingUv) SMOOTH out vec3 vUv; // z: see paintAround
 layout(location = kVaryingInstance) flat out uint vInstance; // also has kGated
 layout(location = kVaryingSurface) flat out uint vSurface;
@@ -29,9 +29,42 @@ layout(location = kVaryingCorners) flat out vec3 vCorners[3]; // eye-relative, t
 layout(location = kVaryingOutline) flat out vec3 vOutline[3]; // the same corners, by screenFromEye
 #endif
 
+// The member whose zone lights an instance: the root's, else the first.
+Member memberThatLights(Instance instance) {
+    Member first = memberAt(instance.firstMember);
+    uint count = memberCountOf(instance);
+    for (uint i = 0u; count > 1u && i < count; ++i) {
+        Member each = memberAt(instance.firstMember + i);
+        if (each.zone == frame.rootZone) {
+            return each;
+        }
+    }
+    return first;
+}
+
+Incident incidentOn(Instance instance) {
+    LightSet set = lightSets[memberThatLights(instance).lightSet];
+    bool isOutdoors = set.kind == kLitOutdoors;
+#ifdef TERRAIN
+    vec3 ofSky = frame.landAmbient.rgb;
+#else
+    vec3 ofSky = frame.skyAmbient.rgb;
+#endif
+    return Incident(set.sealed != 0u ? frame.sealedAmbient.rgb : ofSky, isOutdoors ? frame.sunColour.rgb : vec3(0.0), set.kind,
+                    set.firstLamp, set.lampCount);
+}
+
 vec3 turned(vec3 normal, Instance instance) {
     mat3 rows = rowsOf(instance);
     return vec3(dot(rows[0], normal), dot(rows[1], normal), dot(rows[2], normal));
+}
+
+float emission = 0.0; // of the surface
+
+// Light of a vertex of `instance`; `normal`: model space.
+vec3 lightOf(Instance instance, vec3 eyeRelative, vec3 normal) {
+    vec3 origin = eyeFromBlock(originOf(instance), vec3(0.0), instance.block);
+    return lightAt(incidentOn(instance), emission, eyeRelative, unitOrZero(turned(normal, instance)), origin);
 }
 
 #ifdef EXACT
@@ -105,12 +138,12 @@ void paintAround(vec2 pixelsFromMiddle, Instance instance) {
     }
     vec3 shares = vec3(cross2(across[1], across[2]), cross2(across[2], across[0]), cross2(across[0], across[1]));
     vUv = vec3(0.0);
-    vNormal = vec3(0.0);
+    vLight = vec3(0.0);
     vEyeRelative = vec3(0.0);
     for (uint i = 0u; i < 3u; ++i) {
         float share = i == 0u ? shares.x : i == 1u ? shares.y : shares.z;
         vUv += share * vec3(uvAt(triangle + i), 1.0);
-        vNormal += share * turned(normalAt(triangle + i), instance);
+        vLight += share * lightOf(instance, outlineCorner(i), normalAt(triangle + i));
         vEyeRelative += share * outlineCorner(i);
     }
 }
@@ -153,14 +186,15 @@ void main() {
     vec3 eyeRelative = eyeFromModel(inPosition, inRest, instance);
     gl_Position = clipFromEye(eyeRelative);
     vEyeRelative = eyeRelative;
-    vNormal = turned(inNormal.xyz, instance);
     vUv = vec3(inUv, 0.0);
     vInstance = drawn;
 #ifdef TERRAIN
     vSurface = instance.firstMaterial + (inPolygonSurface >> 16);
 #else
     vSurface = materialRefs[instance.firstMaterial + (inPolygonSurface >> 16)];
+    emission = materials[vSurface].luminosity;
 #endif
+    vLight = lightOf(instance, eyeRelative, inNormal.xyz);
     vId = instance.idBase + (inPolygonSurface & 0xFFFFu);
 #ifdef EXACT
     uint corner = uint(gl_VertexID) % 3u;

@@ -11,8 +11,8 @@ void main() {
     vec2 dx = dFdx(painted.uv);
     vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
-    GateResult keep = keepOf(instance);
-    if (!keep.kept) {
+    bool keep = isKept(instance);
+    if (!keep) {
         discard;
     }
 #ifdef FLAT
@@ -20,7 +20,7 @@ void main() {
 #else
     Material material = materials[vSurface];
     vec3 albedo = materialColour(material, painted.uv, dx, dy).rgb;
-    outColour = opaqueColour(albedo, material.luminosity, material.diffuse, painted, instance, keep);
+    outColour = opaqueColour(albedo, painted, instance);
 #endif
     outId = vId;
 }

@@ -1,20 +1,23 @@
-// Sky objects, unlit, blended over the plain sky in drawing order. Out: premultiplied colour; no id; the sky's depth.
+// Sky objects, blended over the plain sky, or over everything outdoors, in drawing order. Out: premultiplied colour; no
+// id; the depth to test.
 #include "textures.glsl"
 #include "gate.glsl"
+#include "skylight.glsl"
 
 layout(location = kVaryingSkyUv) SMOOTH in vec2 vUv;
 layout(location = kVaryingSkyInstance) flat in uint vInstance;
 layout(location = kVaryingSkyMaterial) flat in uint vMaterial;
+layout(location = kVaryingSkyLight) SMOOTH in vec3 vLight;
 layout(location = kOutputBlended) out vec4 outColour;
 
 void main() {
-    gl_FragDepth = kSkyDepth; // equal to the plain sky's to the bit: objects are drawn over it and over one another
+    SkyInstance object = skyInstances[vInstance];
+    gl_FragDepth = skyDepth(object);
     vec2 dx = dFdx(vUv);
     vec2 dy = dFdy(vUv);
     if (!gl_FrontFacing || !keepOutside()) {
         discard;
     }
-    SkyInstance object = skyInstances[vInstance];
     Material material = materials[vMaterial];
     vec4 texel = vec4(1.0);
     if (material.texture != kNoTexture) {
@@ -22,6 +25,6 @@ void main() {
     }
     float alpha = (material.flags & kMaterialInvAlpha) != 0u ? 1.0 - texel.a : texel.a;
     alpha *= material.colour.a * object.opacity;
-    vec3 colour = material.colour.rgb * texel.rgb * object.luminosity;
+    vec3 colour = material.colour.rgb * texel.rgb * vLight;
     outColour = vec4(colour * alpha, (material.flags & kMaterialAdditive) != 0u ? 0.0 : alpha);
 }

@@ -12,8 +12,8 @@ void main() {
     vec2 dx = dFdx(painted.uv);
     vec2 dy = dFdy(painted.uv);
     Instance instance = drawnInstance();
-    GateResult keep = keepOf(instance);
-    if (!keep.kept) {
+    bool keep = isKept(instance);
+    if (!keep) {
         discard;
     }
 #ifdef FLAT
@@ -21,7 +21,7 @@ void main() {
 #else
     CellUv uv = CellUv(vec2(painted.uv.x, 1.0 - painted.uv.y), vec2(dx.x, -dx.y), vec2(dy.x, -dy.y));
     vec3 albedo = blendedTerrain(vSurface, uv);
-    outColour = opaqueColour(albedo, 0.0, 1.0, painted, instance, keep);
+    outColour = opaqueColour(albedo, painted, instance);
 #endif
     outId = vId;
 }

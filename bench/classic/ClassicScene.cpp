@@ -97,7 +97,7 @@ Result<void> ClassicScene::upload(const world::World& world) {
     addStorage(layout::kBindMaterialRefs, "classic material references", bytesOf(scene.materialRefs));
     addStorage(layout::kBindTerrain, "classic terrain cells", bytesOf(scene.terrainCells));
     addStorage(layout::kBindLightSets, "classic light sets", bytesOf(scene.lightSets));
-    addStorage(layout::kBindLights, "classic lights", bytesOf(scene.lights));
+    addStorage(layout::kBindLampRefs, "classic lamp references", bytesOf(scene.lampRefs));
     addStorage(layout::kBindTextures, "classic texture references", bytesOf(refs));
     packed_ = scene.instances;
     staticMembers_ = static_cast<std::uint32_t>(scene.members.size());

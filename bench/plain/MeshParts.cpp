@@ -113,7 +113,7 @@ glm::mat4 placementOf(const world::World& world, const world::Instance& instance
 
 PlainLight plainLightOf(const world::World& world, const frame::FrameView& view) {
     const world::SkyState sky = world::skyAt(world.sky, view.dayGroup, view.timeOfDay);
-    return {sky.sunDirection, sky.sunColour, sky.ambient};
+    return {sky.sunDirection, sky.sunColour, sky.thingsAmbient()};
 }
 
 std::size_t trianglesFrom(const world::World& world, const world::DynamicState& dynamics, const Vec3& eye) {

@@ -22,7 +22,7 @@ struct PlainSurface {
     std::uint32_t texture = world::kNone; ///< index into World::textures; kNone: the colour alone
     world::SurfaceClass surfaceClass = world::SurfaceClass::Opaque;
     Vec4f colour{1.0f};      ///< alpha includes the instance's opacity
-    float luminosity = 0.0f; ///< lower bound of the light
+    float luminosity = 0.0f; ///< added to the light
     bool isClamped = false;  ///< the texture is not repeated
     bool isAdditive = false; ///< blended surfaces are added
     bool isInvAlpha = false; ///< blended by one minus the texture's alpha

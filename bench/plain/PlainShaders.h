@@ -20,7 +20,7 @@ layout(location = 1) out vec2 vUv;
 
 void main() {
     vec3 facing = normalize(mat3(placement) * normal);
-    vec3 light = max(ambient + sunColour * max(dot(facing, towardsSun), 0.0), vec3(luminosity));
+    vec3 light = clamp(luminosity + ambient + sunColour * max(dot(facing, towardsSun), 0.0), 0.0, 1.0);
     vColour = vec4(colour.rgb * light, colour.a);
     vUv = uv;
     gl_Position = clipFromScene * (placement * vec4(position, 1.0));

@@ -29,7 +29,7 @@ LIMEN_CONST kBindMaterials = 1;    // Material (static)
 LIMEN_CONST kBindMaterialRefs = 2; // uint (static)
 LIMEN_CONST kBindTerrain = 3;      // TerrainCell (static)
 LIMEN_CONST kBindLightSets = 4;    // LightSet (static)
-LIMEN_CONST kBindLights = 5;       // Light (static)
+LIMEN_CONST kBindLampRefs = 5;     // uint (static)
 LIMEN_CONST kBindTextures = 6;     // TextureRef (static)
 LIMEN_CONST kBindOwnership = 7;    // OwnershipVertex
 LIMEN_CONST kBindClipSets = 8;     // ClipSet
@@ -51,6 +51,7 @@ LIMEN_CONST kUnitInstances = 4; // Instance (static)
 LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
 LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
 LIMEN_CONST kUnitFirstPage = 7;
+LIMEN_CONST kUnitPicture = 0; // of upscale.frag: the drawn picture
 // The target's images, in place of arrays that the fast way of drawing does not read.
 LIMEN_CONST kUnitColour = kUnitVertices;
 LIMEN_CONST kUnitId = kUnitPieces;
@@ -82,8 +83,14 @@ LIMEN_CONST kAttributeSun = 11;
 LIMEN_CONST kAttributeLook = 12;
 LIMEN_CONST kAttributeMembers = 13;
 
-LIMEN_CONST kOutside = 0u;   // the outdoor zone
-LIMEN_CONST kMaxLights = 8u; // lamps per light set
+LIMEN_CONST kOutside = 0u; // the outdoor zone
+
+// LightSet.kind: world::LightSet::Kind
+LIMEN_CONST kLitOutdoors = 0u;
+LIMEN_CONST kLitMoving = 1u;
+LIMEN_CONST kLitThing = 2u;
+LIMEN_CONST kLitWalls = 3u;
+LIMEN_CONST kMostLampsOfAThing = 8u; // the viewer's light among them
 
 LIMEN_CONST kKindShell = 0u; // InstanceKind::Shell: a cell's own walls
 LIMEN_CONST kKindFilling =
@@ -141,11 +148,14 @@ LIMEN_STRUCT(ViewConstants) {
     vec4 eyeLow LIMEN_ZERO;      // xyz: the residual of that rounding
     vec4 eyeSteps
         LIMEN_ZERO; // xyz: the eye relative to the eye's block in steps of 1 / kRangeSteps, rounded down: whole numbers
-    vec4 sunDirection LIMEN_ZERO; // xyz towards the sun
-    vec4 sunColour LIMEN_ZERO;
-    vec4 skyAmbient LIMEN_ZERO;
-    vec4 fogColour LIMEN_ZERO; // rgb
-    vec4 fogRange LIMEN_ZERO;  // near, far in metres
+    vec4 sunDirection LIMEN_ZERO;  // xyz towards the sun
+    vec4 sunColour LIMEN_ZERO;     // times its brightness
+    vec4 landAmbient LIMEN_ZERO;   // of the ground
+    vec4 skyAmbient LIMEN_ZERO;    // of everything else but sealed cells
+    vec4 sealedAmbient LIMEN_ZERO; // of cells that do not see the outside
+    vec4 viewerLight LIMEN_ZERO;   // xyz eye-relative, w intensity; 0: none
+    vec4 fogColour LIMEN_ZERO;     // rgb
+    vec4 fogRange LIMEN_ZERO;      // near, far in metres
     vec4 voidColour LIMEN_ZERO;
     vec4 skyZenith LIMEN_ZERO; // rgb: plain sky overhead; the horizon is fogColour
     uint rootZone LIMEN_ZERO;
@@ -247,7 +257,7 @@ LIMEN_STRUCT(Material) {
     uint texture LIMEN_ZERO; // index into textures, or kNoTexture
     uint flags LIMEN_ZERO;
     float luminosity LIMEN_ZERO;
-    float diffuse LIMEN_ZERO;
+    uint reserved0 LIMEN_ZERO;
 };
 
 // Location of a texture, filled in by TextureStore. x: layer of an array page, or low half of the 64-bit bindless
@@ -289,16 +299,10 @@ LIMEN_STRUCT(PackedCell) {
 };
 
 LIMEN_STRUCT(LightSet) {
-    vec4 ambient LIMEN_ZERO; // rgb; w: share of the sky's ambient
-    float sun LIMEN_ZERO;    // share of the sun
-    uint firstLight LIMEN_ZERO;
-    uint lightCount LIMEN_ZERO; // at most kMaxLights
-    uint reserved0 LIMEN_ZERO;
-};
-
-LIMEN_STRUCT(Light) {
-    vec4 position LIMEN_ZERO; // xyz block-local, w range in metres
-    vec4 colour LIMEN_ZERO;   // rgb; w: bits of the block slot (uint)
+    uint kind LIMEN_ZERO;      // kLit...
+    uint firstLamp LIMEN_ZERO; // run of the lamp references
+    uint lampCount LIMEN_ZERO;
+    uint sealed LIMEN_ZERO; // 1: in cells that do not see the outside
 };
 
 // One corner of the ownership stage's triangles, in tree order. An opening is a triangle fan around its middle; each
@@ -379,10 +383,10 @@ struct Replacement {
     uint by LIMEN_ZERO;
 };
 
-// A Light of this frame, where the CPU has placed it.
+// A world::Light in this frame.
 LIMEN_STRUCT(Lamp) {
-    vec4 position LIMEN_ZERO; // xyz eye-relative, w range in metres
-    vec4 colour LIMEN_ZERO;   // rgb
+    vec4 position LIMEN_ZERO; // xyz eye-relative, w falloff in metres
+    vec4 colour LIMEN_ZERO;   // rgb; w: intensity, 0 for lamps that do not shine in this frame
 };
 
 // Everything of an instance that fast.vert reads: an instanced attribute of each draw.
@@ -390,25 +394,26 @@ LIMEN_STRUCT(DrawRecord) {
     vec4 row0 LIMEN_ZERO; // eye-relative from model, by rows; w: the offset, rounded to float
     vec4 row1 LIMEN_ZERO;
     vec4 row2 LIMEN_ZERO;
-    vec4 rest LIMEN_ZERO;    // xyz: residual of the offset; w: 1 where fog lies, else 0
+    vec4 rest LIMEN_ZERO;    // xyz: residual of the offset
     vec4 ambient LIMEN_ZERO; // rgb: light from everywhere; w: opacity
     vec4 sun LIMEN_ZERO;     // rgb: light of the sun at a surface that faces it
-    uvec4 look LIMEN_ZERO;   // Instance.firstMaterial, Instance.highlight, LightSet.firstLight and lightCount
-    uvec4 members LIMEN_ZERO; // Instance.firstMember, member count (0: no ownership test), Instance.idBase
+    uvec4 look LIMEN_ZERO;   // Instance.firstMaterial, Instance.highlight, LightSet.firstLamp and lampCount
+    // Instance.firstMember, member count (0: no ownership test), Instance.idBase, LightSet.kind
+    uvec4 members LIMEN_ZERO;
 };
 
 // A sky object of this frame.
 LIMEN_STRUCT(SkyInstance) {
-    vec4 row0 LIMEN_ZERO; // world from model, by rows
+    vec4 row0 LIMEN_ZERO; // eye-relative from model, by rows
     vec4 row1 LIMEN_ZERO;
     vec4 row2 LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO;
     float opacity LIMEN_ZERO;
-    float luminosity LIMEN_ZERO;
+    float luminosity LIMEN_ZERO; // of materials without one of their own
     float uvOffsetX LIMEN_ZERO;
     float uvOffsetY LIMEN_ZERO;
-    uint reserved0 LIMEN_ZERO;
-    uint reserved1 LIMEN_ZERO;
+    float diffuse LIMEN_ZERO; // factor of the sun's light
+    uint overLand LIMEN_ZERO; // 1: over everything outdoors, else behind it
     uint reserved2 LIMEN_ZERO;
 };
 

@@ -30,7 +30,7 @@ layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { uvec4 pac
 layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { TerrainLayer terrainLayers[]; };
 #endif
 layout(std430, binding = kBindLightSets) readonly buffer LightSetBuffer { LightSet lightSets[]; };
-layout(std430, binding = kBindLights) readonly buffer LightBuffer { Light lights[]; };
+layout(std430, binding = kBindLampRefs) readonly buffer LampRefBuffer { uint lampRefs[]; };
 layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureRef textureRefs[]; };
 layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
 layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };

@@ -11,6 +11,6 @@ bool isSeen(uvec3 members) {
     instance.idBase = members.z;
     vec3 at = placeHere();
     bool takesTest = members.y > 0u;
-    return walkChain(instance, SurfacePoint(at, dFdx(at), dFdy(at)), takesTest).kept || !takesTest;
+    return walkChain(instance, SurfacePoint(at, dFdx(at), dFdy(at)), takesTest) || !takesTest;
 }
 #endif

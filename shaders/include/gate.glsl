@@ -23,13 +23,6 @@ const float kSnap = 1.0 / 2048.0;
 const float kSnap = kSnapTolerance;
 #endif
 
-// Result of the test: the zone that kept the fragment, and the light set there.
-struct GateResult {
-    bool kept;
-    uint zone;
-    uint lightSet;
-};
-
 uint leafVisit() {
 #ifdef MULTISAMPLED
     return texelFetch(ownership, ivec2(gl_FragCoord.xy), gl_SampleID).r;
@@ -43,12 +36,9 @@ bool keepOutside() {
     return visitAt(leafVisit()).zone == kOutside;
 }
 
-bool findMember(Instance instance, uint zone, out uint lightSet) {
-    lightSet = 0u;
+bool isMember(Instance instance, uint zone) {
     for (uint i = 0u; i < memberCountOf(instance); ++i) {
-        Member member = memberAt(instance.firstMember + i);
-        if (member.zone == zone) {
-            lightSet = member.lightSet;
+        if (memberAt(instance.firstMember + i).zone == zone) {
             return true;
         }
     }
@@ -103,42 +93,20 @@ const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next v
 // Follows the chain from the pixel's leaf visit to the root; parents come before children, so it ends. Without `walks`
 // the loop has no turn. A loop rather than a branch: drivers that execute every branch for all fragments still leave a
 // loop early.
-GateResult walkChain(Instance instance, SurfacePoint point, bool walks) {
+bool walkChain(Instance instance, SurfacePoint point, bool walks) {
     vec4 next = kNothingBeyond;
     uint shutBy = 0u;
     uint visitIndex = walks ? leafVisit() : kNoVisit;
     while (visitIndex < frame.visitCount) {
         Visit visit = visitAt(visitIndex);
-        uint lightSet;
         bool beyondEntry = isBeyondEntry(visit.entryPlane, point.at, toleranceFor(visit.entryPlane.xyz, point));
         bool beforeNext = isBeforeNext(next, point.at, leavingTolerance(instance, next.xyz, shutBy, point));
-        if (beyondEntry && beforeNext && findMember(instance, visit.zone, lightSet)) {
-            return GateResult(true, visit.zone, lightSet);
+        if (beyondEntry && beforeNext && isMember(instance, visit.zone)) {
+            return true;
         }
         next = visit.entryPlane;
         shutBy = visit.shutBy;
         visitIndex = visit.parent;
     }
-    return GateResult(false, 0u, 0u);
-}
-
-// For a frame with several visits. An instance that the planner draws without the test is wholly inside one visit; only
-// the zone that lights it may be open.
-GateResult keepWhereVisited(Instance instance, SurfacePoint point, bool isGated) {
-    GateResult keep = walkChain(instance, point, isGated || memberCountOf(instance) > 1u);
-    if (!keep.kept && !isGated) {
-        Member first = memberAt(instance.firstMember);
-        return GateResult(true, first.zone, first.lightSet);
-    }
-    return keep;
-}
-
-// For a frame with one visit: everything drawn is seen from the root's zone.
-GateResult keepInRoot(Instance instance) {
-    uint lightSet;
-    if (memberCountOf(instance) > 1u && findMember(instance, frame.rootZone, lightSet)) {
-        return GateResult(true, frame.rootZone, lightSet);
-    }
-    Member first = memberAt(instance.firstMember);
-    return GateResult(true, first.zone, first.lightSet);
+    return false;
 }

@@ -1,43 +1,97 @@
-// Light and fog at a point, Lambert, for vertices and fragments. Light belongs to a zone, not to the frame: a cell has
-// lamps, ambient light and a share of the sun; the outside has sun, sky and fog.
+// Light and fog at a vertex (docs/formats/light.md). Light belongs to an instance: outdoors it has the sun and the sky,
+// in cells the cells' ambient light and lamps.
 #include "transform.glsl"
 
-// 1 at the lamp; 0 with zero slope at its range.
-float falloff(float distance, float range) {
-    float x = clamp(distance / range, 0.0, 1.0);
-    float remaining = 1.0 - x * x;
-    return remaining * remaining;
+// Multiples of a lamp's falloff: its reach on the walls of cells and on everything else.
+const float kWallReach = 1.3;
+const float kThingReach = 1.5;
+const float kViewerFalloff = 10.0; // metres
+const float kMovingRadius = 1.0;   // metres: of every moving object (src/world/assemble/Lights.cpp)
+const float kAtLamp = 1.0e-4;      // metres: nearer to a lamp its direction is undefined
+
+// The light of an instance, before lamps.
+struct Incident {
+    vec3 ambient;
+    vec3 sun; // at a surface that faces it
+    uint kind; // LightSet.kind
+    uint firstLamp;
+    uint lampCount;
+};
+
+vec3 unitOrZero(vec3 v) {
+    const float least = 1.0e-24; // of a square: 0 stays 0
+    return v * inversesqrt(max(dot(v, v), least));
 }
 
-// Share of a lamp's colour that reaches a surface. `towards`: from there to the lamp.
-float lampShare(vec3 towards, float range, vec3 normal) {
-    float distance = length(towards);
-    // Within 0.1 mm of the lamp the direction is undefined.
-    float facing = max(0.0, dot(normal, towards / max(distance, 1.0e-4)));
-    return facing * falloff(distance, range);
+vec3 cutToBytes(vec3 colour) {
+    return floor(clamp(colour, 0.0, 1.0) * 255.0 + 1.0e-3) / 255.0; // rounding must not take a whole step
 }
 
-vec3 lampLight(Light lamp, vec3 eyeRelative, vec3 normal) {
-    vec3 towards = eyeFromBlock(lamp.position.xyz, vec3(0.0), floatBitsToUint(lamp.colour.w)) - eyeRelative;
-    if (length(towards) >= lamp.position.w) {
-        return vec3(0.0);
+Lamp lampAt(uint number) {
+    uint first = device.firstLamp + lampRefs[number] * kLampTexels;
+    return Lamp(uintBitsToFloat(ringTexel(first)), uintBitsToFloat(ringTexel(first + 1u)));
+}
+
+// Baked light of one lamp at a wall. Surfaces that face away a little are lit, too.
+vec3 onWall(Lamp lamp, vec3 at, vec3 normal) {
+    vec3 towards = lamp.position.xyz - at;
+    float far = max(length(towards), kAtLamp);
+    float range = kWallReach * lamp.position.w;
+    float facing = (0.5 * far + dot(normal, towards)) / 1.5;
+    float falls = far > 1.0 ? far * far * far : far;
+    float strength = lamp.colour.w * max(0.0, 1.0 - far / range) * max(0.0, facing) / falls;
+    return lamp.colour.rgb * min(strength, 1.0);
+}
+
+vec3 onThing(vec3 towards, vec3 colour, float falloff, vec3 normal) {
+    float far = max(length(towards), kAtLamp);
+    return far < kThingReach * falloff ? colour * (max(0.0, dot(normal, towards)) / (far * far)) : vec3(0.0);
+}
+
+vec3 bakedLight(Incident light, vec3 at, vec3 normal) {
+    vec3 baked = vec3(0.0);
+    for (uint i = 0u; i < light.lampCount; ++i) {
+        baked += onWall(lampAt(light.firstLamp + i), at, normal);
     }
-    return lamp.colour.rgb * lampShare(towards, lamp.position.w, normal);
+    return cutToBytes(baked);
 }
 
-// Incident light; `normal` has unit length.
-vec3 lightAt(LightSet set, vec3 eyeRelative, vec3 normal) {
-    vec3 light = set.ambient.rgb + frame.skyAmbient.rgb * set.ambient.w;
-    light += frame.sunColour.rgb * (set.sun * max(0.0, dot(normal, frame.sunDirection.xyz)));
-    uint count = min(set.lightCount, kMaxLights);
+// Lamps of an object; `origin`: its place. The viewer's light is one of the greatest number.
+vec3 lampLight(Incident light, vec3 at, vec3 normal, vec3 origin) {
+    vec3 sum = vec3(0.0);
+    uint most = light.kind == kLitMoving ? light.lampCount : kMostLampsOfAThing - (frame.viewerLight.w > 0.0 ? 1u : 0u);
+    uint count = min(light.lampCount, most);
     for (uint i = 0u; i < count; ++i) {
-        light += lampLight(lights[set.firstLight + i], eyeRelative, normal);
+        Lamp lamp = lampAt(light.firstLamp + i);
+        bool isNear = light.kind == kLitThing || distance(lamp.position.xyz, origin) <= lamp.position.w + kMovingRadius;
+        float intensity = isNear ? lamp.colour.w : 0.0;
+        sum += onThing(lamp.position.xyz - at, lamp.colour.rgb * intensity, lamp.position.w, normal);
     }
-    return light;
+    return sum;
 }
 
-// Share of fog outside, 0..1, linear between near and far.
-float fogOutside(vec3 eyeRelative) {
+// Light of a vertex with a normal of unit length or 0. `emission`: its material's luminosity.
+vec3 lightAt(Incident light, float emission, vec3 at, vec3 normal, vec3 origin) {
+    vec3 sum = vec3(emission) + light.ambient + light.sun * max(0.0, dot(normal, frame.sunDirection.xyz));
+#if !defined(FAST) || defined(LAMPS)
+    Incident walls = light;
+    walls.lampCount = light.kind == kLitWalls ? light.lampCount : 0u; // loops without turns rather than branches
+    Incident thing = light;
+    thing.lampCount = light.kind == kLitWalls ? 0u : light.lampCount;
+    sum += bakedLight(walls, at, normal) + lampLight(thing, at, normal, origin);
+    if (light.kind != kLitOutdoors) {
+        sum += onThing(frame.viewerLight.xyz - at, vec3(frame.viewerLight.w), kViewerFalloff, normal);
+    }
+#endif
+#ifdef TERRAIN
+    return cutToBytes(sum);
+#else
+    return clamp(sum, 0.0, 1.0);
+#endif
+}
+
+// Share of fog, 0..1, linear between near and far.
+float fogAt(vec3 eyeRelative) {
     float range = max(frame.fogRange.y - frame.fogRange.x, 1.0e-3);
     return clamp((length(eyeRelative) - frame.fogRange.x) / range, 0.0, 1.0);
 }

@@ -4,7 +4,7 @@
 #include "split.glsl"
 
 layout(location = kVaryingEyeRelative) SMOOTH in vec3 vEyeRelative;
-layout(location = kVaryingNormal) SMOOTH in vec3 vNormal;
+layout(location = kVaryingLight) SMOOTH in vec3 vLight;
 layout(location = kVaryingUv) SMOOTH in vec3 vUv; // z: see paintedHere
 layout(location = kVaryingInstance) flat in uint vInstance; // also has kGated
 layout(location = kVaryingSurface) flat in uint vSurface;
@@ -25,31 +25,32 @@ bool isSplit(Material material) {
 // The interpolated values at this fragment.
 struct Painted {
     vec2 uv;
-    vec3 normal; // of any length
-    vec3 at;     // eye-relative
+    vec3 light;
+    vec3 at; // eye-relative
 };
 
 // In a triangle drawn around the window, vUv.z is the sum of the three corner shares, which is 0 at the plane's
 // horizon. In any other triangle it is 0.
 Painted paintedHere() {
     float whole = vUv.z == 0.0 ? 1.0 : 1.0 / vUv.z;
-    return Painted(vUv.xy * whole, vNormal * whole, vEyeRelative * whole);
+    return Painted(vUv.xy * whole, clamp(vLight * whole, 0.0, 1.0), vEyeRelative * whole);
 }
 
 Instance drawnInstance() {
     return instanceAt(vInstance & ~kGated);
 }
 
-// The caller discards when `kept` is false.
-GateResult keepOf(Instance instance) {
+// Whether the fragment is seen; the caller discards others.
+bool isKept(Instance instance) {
     SurfacePoint point;
     if (!findOnPolygon(kindOf(instance), point)) {
-        return GateResult(false, 0u, 0u);
+        return false;
     }
 #ifdef GATED
-    return keepWhereVisited(instance, point, (vInstance & kGated) != 0u);
+    bool isGated = (vInstance & kGated) != 0u;
+    return walkChain(instance, point, isGated) || !isGated; // others are wholly inside one visit
 #else
-    return keepInRoot(instance);
+    return true; // a frame with one visit: everything is seen from the root's zone
 #endif
 }
 
@@ -63,8 +64,7 @@ vec4 materialColour(Material material, vec2 uv, vec2 dx, vec2 dy) {
 }
 
 // Lit, fogged and highlighted colour of an opaque surface.
-vec4 opaqueColour(vec3 albedo, float luminosity, float diffuse, Painted painted, Instance instance, GateResult keep) {
-    vec3 colour = lit(albedo, luminosity, diffuse, keep, painted.at, painted.normal);
-    colour = mix(colour, frame.fogColour.rgb, fogShare(keep, painted.at));
+vec4 opaqueColour(vec3 albedo, Painted painted, Instance instance) {
+    vec3 colour = mix(albedo * painted.light, frame.fogColour.rgb, fogAt(painted.at));
     return vec4(highlighted(colour, instance.highlight), 1.0);
 }

@@ -1,6 +1,6 @@
 // Locations of the values passed from vertex to fragment stages, named for both.
 const uint kVaryingEyeRelative = 0u; // mesh.vert
-const uint kVaryingNormal = 1u;
+const uint kVaryingLight = 1u;
 const uint kVaryingUv = 2u;
 const uint kVaryingInstance = 3u;
 const uint kVaryingSurface = 4u;
@@ -29,5 +29,8 @@ const uint kVaryingCovers = 3u;
 const uint kVaryingSkyUv = 0u; // skyobjects.vert
 const uint kVaryingSkyInstance = 1u;
 const uint kVaryingSkyMaterial = 2u;
+const uint kVaryingSkyLight = 3u;
 
 const uint kVaryingDirection = 0u; // skyplain.vert
+
+const uint kVaryingTexel = 0u; // upscale.vert

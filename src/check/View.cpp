@@ -55,8 +55,8 @@ std::string shotOptions(const View& view) {
                        rootOption(view.root)) +
            (view.time != 0.5 ? fmt::format(" --time={}", view.time) : "") +
            (view.seconds != 0.0 ? fmt::format(" --seconds={}", view.seconds) : "") + doorOptions(view) +
-           (view.dayGroup != 0 ? fmt::format(" --day={}", view.dayGroup) : "") +
-           (view.rain ? " --weather=rain" : "") + playerOptions(view);
+           fmt::format(" --day={}", view.dayGroup) + (view.rain ? " --weather=rain" : "") +
+           playerOptions(view);
 }
 
 } // namespace limen::check

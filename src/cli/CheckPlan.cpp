@@ -109,7 +109,9 @@ Result<check::RunRequest> planCheck(const CheckOptions& options,
         return tl::unexpected(weather.error());
     request.rain = *weather == engine::Weather::Rain;
     const Result<dat::Region> region = source->archive.load<dat::Region>(dat::kRegionId);
-    const Result<std::uint32_t> day = engine::dayGroupOf(region ? region->sky : dat::SkyDesc(), options.day);
+    const Result<std::uint32_t> day =
+        region ? engine::dayGroupOf(region->sky, region->gameTime, {options.day, {}})
+               : engine::dayGroupOf({}, {}, {options.day, {}});
     if (!day)
         return tl::unexpected(day.error());
     request.dayGroup = *day;

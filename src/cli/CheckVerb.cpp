@@ -240,7 +240,8 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
             "--doors", options->doors,
             "set the openness of all doors: rest, closed, half, open or 0..1 (rest: each as in the data)")
         ->type_name("rest|closed|half|open|0..1");
-    verb->add_option("--day", options->day, "choose a day group of the data by number or name, e.g. Snow (0)")
+    verb->add_option("--day", options->day,
+                     "choose a day group of the data by number or name, e.g. Snow (that of 10-1-2)")
         ->type_name("NUMBER|NAME");
     verb->add_option("--weather", options->weather, "set the weather: clear or rain (clear)")
         ->type_name("clear|rain");

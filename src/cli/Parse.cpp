@@ -120,6 +120,12 @@ Result<engine::Weather> parseWeather(std::string_view option, std::string_view t
     return bad(option, text, "clear or rain");
 }
 
+Result<world::Date> parseDate(std::string_view option, std::string_view text) {
+    if (const std::optional<world::Date> date = world::dateNamed(text))
+        return *date;
+    return bad(option, text, "a date, e.g. 116-3-24 or 'Seedsow 24, 116'");
+}
+
 Result<std::optional<double>> parseDoors(std::string_view option, std::string_view text) {
     const std::string_view word = trimmed(text);
     if (word == "rest")

@@ -35,6 +35,9 @@ namespace limen::cli {
 /// "clear" or "rain".
 [[nodiscard]] Result<engine::Weather> parseWeather(std::string_view option, std::string_view text);
 
+/// "116-3-24" or "Seedsow 24, 116".
+[[nodiscard]] Result<world::Date> parseDate(std::string_view option, std::string_view text);
+
 /// "rest" (none), "closed", "half", "open", or a share 0..1.
 [[nodiscard]] Result<std::optional<double>> parseDoors(std::string_view option, std::string_view text);
 

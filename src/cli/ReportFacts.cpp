@@ -75,7 +75,7 @@ output::ReportHead reportHead(const engine::Session& session, const std::string&
     head.facts = {{"Radius", fmt::format("{} landblocks", options.load.radius)},
                   {"Zones", options.load.mergeZones ? "merged" : "one a cell"},
                   {"Drawing", options.drawing == gpu::Drawing::Fast ? "fast" : "exact"},
-                  {"Samples per pixel", fmt::format("{}", std::max(1u, options.samples))},
+                  {"Samples per pixel", fmt::format("{}", session.samples())},
                   {"Textures", figures.textures}};
     return head;
 }

@@ -16,7 +16,9 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
             [&options](const std::string& text) {
                 engine::applyQuality(*engine::qualityNamed(text), options);
             },
-            "set --radius, --far, --detail, --msaa and anisotropic filtering together (none)")
+            "set --radius, --far and --detail together; with a graphics card also --msaa and anisotropic "
+            "filtering, "
+            "in the window also the limits of --scale auto (none)")
         ->type_name("low|medium|high|ultra")
         ->check(oneOf({"low", "medium", "high", "ultra"}))
         ->group("World");
@@ -80,7 +82,9 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
         ->check(oneOf({"none", "unseen", "hidden"}))
         ->group("World");
     command
-        .add_option("--msaa", options.samples, "set the samples per pixel (1); ids and depth always have one")
+        .add_option_function<std::uint32_t>(
+            "--msaa", [&options](std::uint32_t samples) { options.samples = std::max(samples, 1u); },
+            "set the samples per pixel (1); ids and depth always have one")
         ->type_name("1|4")
         ->check(oneOf({"0", "1", "4"}))
         ->group("World");
@@ -97,7 +101,7 @@ void addDrawing(CLI::App& command, engine::SessionOptions& options, gpu::Drawing
             },
             fmt::format(
                 "choose the way of drawing; exact: each pixel shows the surface that its ray meets; fast: "
-                "edges may be off by a pixel, and light is computed at corners ({})",
+                "edges may be off by a pixel ({})",
                 usualText))
         ->type_name("exact|fast")
         ->check(oneOf({"exact", "fast"}))

@@ -107,7 +107,8 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
     add("--player", a.player, "X,Y,Z", "set the position of the player (at the eye)");
     add("--time", a.time, "0..1", "set the time of day; 0 and 1 are midnight (0.5)");
     add("--day", a.day, "NUMBER|NAME",
-        "choose a day group of the data, with its sky and weather, e.g. Snow (0)");
+        "choose a day group of the data, with its sky and weather, e.g. Snow (that of the date)");
+    add("--date", a.date, "DATE", "set the date, e.g. 116-3-24 or 'Seedsow 24, 116' (10-1-2)");
     add("--weather", a.weather, "clear|rain", "set the weather (clear)");
     add("--seconds", a.seconds, "S", "set the world's time in seconds, which moves villagers and smoke (0)");
     add("--doors", a.doors, "rest|closed|half|open|0..1",
@@ -212,7 +213,9 @@ Result<engine::ViewRequest> checkView(const ViewArguments& a) {
         return tl::unexpected(r.error());
     if (Result<void> r = take(a.time, "--time", between(0.0, 1.0), view.scene.time); !r)
         return tl::unexpected(r.error());
-    view.scene.day = a.day;
+    view.scene.day.day = a.day;
+    if (Result<void> r = take(a.date, "--date", parseDate, view.scene.day.date); !r)
+        return tl::unexpected(r.error());
     if (Result<void> r = take(a.weather, "--weather", parseWeather, view.scene.weather); !r)
         return tl::unexpected(r.error());
     if (Result<void> r = take(a.seconds, "--seconds", between(-1e9, 1e9), view.scene.seconds); !r)

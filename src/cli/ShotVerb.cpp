@@ -143,8 +143,8 @@ Result<void> checkViewsFit(const std::vector<ListedView>& views, const ShotOptio
                            const gpu::Capabilities& capabilities) {
     const std::optional<std::uint64_t> available = engine::availableMemory();
     for (const ListedView& view : views)
-        if (Result<void> fits =
-                engine::checkFrameFits(view.view.size, options.session.samples, capabilities, available);
+        if (Result<void> fits = engine::checkFrameFits(
+                view.view.size, engine::samplesOn(capabilities, options.session), capabilities, available);
             !fits)
             return fits;
     return {};

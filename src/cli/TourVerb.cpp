@@ -202,9 +202,8 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     if (!headless)
         return tl::unexpected(headless.error());
     engine::Session& session = *headless->session;
-    if (Result<void> fits =
-            engine::checkFrameFits(sizeOf(*request), options.session.samples,
-                                   headless->device->capabilities(), engine::availableMemory());
+    if (Result<void> fits = engine::checkFrameFits(
+            sizeOf(*request), session.samples(), headless->device->capabilities(), engine::availableMemory());
         !fits)
         return tl::unexpected(fits.error());
     std::optional<Waiting> waiting(std::in_place, console, "loading the world");

@@ -19,7 +19,7 @@ namespace {
 struct ViewOptions {
     engine::SessionOptions session;
     ViewArguments view;
-    std::string frames, step, screenshot, screenshots, record, keys, uiScale;
+    std::string frames, step, screenshot, screenshots, record, keys, uiScale, scale, frameRate;
     bool json = false, tell = false, fly = false, chase = false;
     bool isQualityGiven = false;
     [[nodiscard]] bool isScript() const { return !frames.empty(); }
@@ -145,6 +145,25 @@ Result<void> checkFiles(const ViewOptions& options) {
     return options.screenshots.empty() ? Result<void>{} : output::makeDirectory(options.screenshots);
 }
 
+/// The scale of the options; a script's pictures have full size by default.
+Result<void> takeScale(const ViewOptions& options, viewer::ApplicationOptions& application) {
+    if (options.scale == "auto") {
+        application.scale = 0;
+    } else if (!options.scale.empty()) {
+        const Result<double> percent =
+            parseNumberBetween("--scale", options.scale, viewer::kLeastScale, viewer::kFullScale);
+        if (!percent)
+            return tl::unexpected(percent.error());
+        application.scale = static_cast<std::uint32_t>(*percent);
+    } else if (options.isScript()) {
+        application.scale = viewer::kFullScale;
+    }
+    if (options.frameRate.empty())
+        return {};
+    return parseNumberBetween("--fps", options.frameRate, viewer::kLeastRate, viewer::kMostRate)
+        .map([&](double rate) { application.frameRate = rate; });
+}
+
 /// The options of the application. The settings file applies to people: a script's frames do not depend on it.
 Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options, Script& script) {
     Result<engine::ViewRequest> view = viewIn(options);
@@ -168,6 +187,8 @@ Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options
             return tl::unexpected(scale.error());
         application.uiScale = *scale;
     }
+    if (Result<void> scaled = takeScale(options, application); !scaled)
+        return tl::unexpected(scaled.error());
     if (!options.isScript()) {
         application.settingsFile = viewer::settingsPath();
         application.settings = viewer::readSettings(application.settingsFile);
@@ -258,6 +279,18 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_option("--ui-scale", options->uiScale,
                      "scale letters and controls by this factor, on top of the screen's scale (1)")
         ->type_name("F")
+        ->group("View");
+    verb->add_option(
+            "--scale", options->scale,
+            "draw the 3-D picture with this percentage of the window's pixels each way; auto: as many as "
+            "keep the frame rate (auto; 100 with --frames)")
+        ->type_name("auto|50..100")
+        ->group("View");
+    verb->add_option(
+            "--fps", options->frameRate,
+            "set the frames a second that --scale auto keeps (30 without a graphics card, else those of the "
+            "display)")
+        ->type_name("N")
         ->group("View");
     verb->add_flag("--json", options->json, "print the final state (eye, root, overlays, ...) as JSON")
         ->group("Scripts");

@@ -2,6 +2,8 @@
 
 #include "core/Assert.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace limen::engine {
@@ -46,6 +48,12 @@ Heading headingOf(const Vec3& direction) {
     return {yaw < 0.0 ? yaw + 360.0 : yaw, std::atan2(direction.z, flat) * kDegrees};
 }
 
+PixelSize scaledSize(PixelSize size, std::uint32_t percent) {
+    LIMEN_ASSERT(percent > 0 && percent <= 100, "a picture is drawn at full size or smaller");
+    const auto scaled = [percent](std::uint32_t side) { return std::max((side * percent + 50) / 100, 1u); };
+    return {scaled(size.width), scaled(size.height)};
+}
+
 visibility::View viewOf(const Camera& camera, PixelSize size, std::uint32_t root) {
     const CameraBasis basis = basisOf(camera.heading);
     LIMEN_ASSERT(size.width > 0 && size.height > 0, "a picture has pixels");
@@ -57,7 +65,8 @@ visibility::View viewOf(const Camera& camera, PixelSize size, std::uint32_t root
     view.up = basis.up;
     view.forward = basis.forward;
     view.tanHalfY = std::tan(camera.fovDegrees * (std::numbers::pi / 360.0));
-    view.tanHalfX = view.tanHalfY * static_cast<double>(size.width) / static_cast<double>(size.height);
+    const PixelSize shape = camera.shape.width > 0 ? camera.shape : size;
+    view.tanHalfX = view.tanHalfY * static_cast<double>(shape.width) / static_cast<double>(shape.height);
     view.root = root;
     return view;
 }

@@ -26,6 +26,7 @@ struct Camera {
     Vec3 eye{0.0}; ///< global, metres
     Heading heading;
     double fovDegrees = 60.0; ///< vertical
+    PixelSize shape{0, 0};    ///< width and height of the view are in this ratio; {0, 0}: in the picture's
 };
 
 /// Right, up and forward, orthonormal. Multiples of 90 degrees give exact axes.
@@ -36,6 +37,9 @@ struct CameraBasis {
 
 /// The heading of a direction. Its length is arbitrary but not 0. Straight up and straight down have yaw 0.
 [[nodiscard]] Heading headingOf(const Vec3& direction);
+
+/// Size of a picture of `percent` per cent of the pixels each way; at least 1x1. 0 < percent <= 100.
+[[nodiscard]] PixelSize scaledSize(PixelSize size, std::uint32_t percent);
 
 /// The camera as the flood takes it. `root` is an index of the graph's spaces. Requires a size with pixels
 /// and a field of view between 0 and 180 degrees.

@@ -29,9 +29,11 @@ std::string dayGroupLabel(const dat::SkyDesc& sky, std::uint32_t group) {
     return alike > 1 ? fmt::format("{} ({})", name, group) : name;
 }
 
-Result<std::uint32_t> dayGroupOf(const dat::SkyDesc& sky, const std::string& text) {
+Result<std::uint32_t> dayGroupOf(const dat::SkyDesc& sky, const dat::GameTime& calendar,
+                                 const DayChoice& choice) {
+    const std::string& text = choice.day;
     if (text.empty())
-        return 0u;
+        return world::dayGroupOn(choice.date, calendar, sky.dayGroups.size());
     if (const std::optional<std::uint32_t> group = world::dayGroupNamed(sky, text))
         return *group;
     if (sky.dayGroups.empty())

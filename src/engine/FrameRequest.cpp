@@ -87,7 +87,7 @@ Result<SceneState> sceneState(const world::World& world, const world::WorldFile&
                               const SceneRequest& request) {
     SceneState scene;
     scene.time = request.time;
-    const Result<std::uint32_t> day = dayGroupOf(world.sky.desc, request.day);
+    const Result<std::uint32_t> day = dayGroupOf(world.sky.desc, world.sky.time, request.day);
     if (!day)
         return tl::unexpected(day.error());
     scene.dayGroup = *day;
@@ -107,6 +107,20 @@ Result<SceneState> sceneState(const world::World& world, const world::WorldFile&
         scene.body = *body;
     }
     return scene;
+}
+
+/// Rain needs a day with rain, if the world has one.
+std::uint32_t shownDayGroup(const world::World& world, const SceneState& scene) {
+    return scene.weather == Weather::Rain ? world::rainyDayGroup(world.sky.desc, scene.dayGroup)
+                                          : scene.dayGroup;
+}
+
+/// The light that the player carries in cells; without a body it is at the eye.
+std::optional<Vec3> viewerLight(const FrameRequest& request, world::SpaceIndex player) {
+    constexpr double kAbove = 2.0; // metres above a body's feet
+    if (player == world::kOutside)
+        return std::nullopt;
+    return request.scene.body ? request.scene.body->feet + Vec3(0.0, 0.0, kAbove) : request.scene.player;
 }
 
 world::SpaceIndex playerSpace(const world::World& world, const FrameRequest& request) {
@@ -130,7 +144,7 @@ motion::DynamicStateInput dynamicsInputOf(const world::World& world, const Frame
     const bool isOutside = playerSpace(world, request) == world::kOutside;
     input.rain = isOutside && request.scene.weather == Weather::Rain;
     if (isOutside && !world.sky.weather.empty())
-        input.weather = world::SkyHour{request.scene.dayGroup, request.scene.time};
+        input.weather = world::SkyHour{shownDayGroup(world, request.scene), request.scene.time};
     return input;
 }
 
@@ -158,6 +172,13 @@ Result<FrameRequest> frameRequest(const world::World& world, const world::WorldF
     return frame;
 }
 
+void scaleRequest(const FrameRequest& request, std::uint32_t percent, FrameRequest& out) {
+    out = request;
+    out.size = scaledSize(request.size, percent);
+    if (request.camera.shape.width == 0)
+        out.camera.shape = request.size;
+}
+
 FrameInputs frameInputs(const world::World& world, const FrameRequest& request, const FrameOutputs& outputs) {
     LIMEN_ASSERT(request.size.width > 0 && request.size.height > 0, "a picture has pixels");
     LIMEN_ASSERT(request.root < world.spaces.size(), "the root is a space of this world");
@@ -166,10 +187,11 @@ FrameInputs frameInputs(const world::World& world, const FrameRequest& request, 
     view.view = viewOf(request.camera, request.size, request.root);
     view.width = request.size.width;
     view.height = request.size.height;
-    view.dayGroup = request.scene.dayGroup;
+    view.dayGroup = shownDayGroup(world, request.scene);
     view.timeOfDay = request.scene.time;
     view.seconds = request.scene.seconds;
     view.weather = request.scene.weather;
+    view.viewerLight = viewerLight(request, playerSpace(world, request));
     view.highlights = outputs.highlights;
     view.exactCutOuts = outputs.exactCutOuts;
     inputs.dynamics = dynamicsInputOf(world, request, view.view);

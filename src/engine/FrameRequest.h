@@ -26,6 +26,9 @@ struct FrameRequest {
 [[nodiscard]] Result<FrameRequest> frameRequest(const world::World& world, const world::WorldFile& file,
                                                 const ViewRequest& request);
 
+/// The same view, drawn with `percent` per cent of the pixels each way. `out` keeps its storage. As scaledSize.
+void scaleRequest(const FrameRequest& request, std::uint32_t percent, FrameRequest& out);
+
 /// Options of a frame's output. They do not change its content.
 struct FrameOutputs {
     bool exactCutOuts = false; ///< cut-outs tested at mip level 0, nearest texel; for ids and depth

@@ -43,8 +43,15 @@ void applyQuality(std::size_t quality, SessionOptions& options) {
     LIMEN_ASSERT(quality < kQualities.size(), "the index of a quality level");
     options.quality = quality;
     options.load = loadBy(kQualities[quality], options.load);
-    options.samples = kQualities[quality].samples;
+    options.samples = 0;
+    options.presetSamples = kQualities[quality].samples;
     options.anisotropy = kQualities[quality].anisotropy;
+}
+
+std::uint32_t samplesOn(const gpu::Capabilities& driver, const SessionOptions& options) {
+    if (options.samples > 0)
+        return options.samples;
+    return driver.software ? 1 : std::max(options.presetSamples, 1u);
 }
 
 Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions& options,
@@ -121,7 +128,7 @@ Passage Session::open(dat::BlockCoord centre) {
 Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions& options) {
     LIMEN_ASSERT(size.width <= kMaxSide && size.height <= kMaxSide,
                  "the picture is not larger than kMaxSide");
-    const bool multisampled = options_.samples > 1 && !options.ids && !options.layers;
+    const bool multisampled = samples() > 1 && !options.ids && !options.layers;
     std::optional<gpu::RenderTarget>& target = multisampled ? sampledTarget_ : target_;
     // A target that can count layers also serves frames without layers. Otherwise frames of alternating kinds
     // would make a new target each.
@@ -131,9 +138,8 @@ Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions&
         return &*target;
     shown_ = nullptr;
     target.reset(); // frees its memory before the new target is made
-    Result<gpu::RenderTarget> made =
-        gpu::RenderTarget::create(drawnOn(), size.width, size.height,
-                                  {.layers = layers, .samples = multisampled ? options_.samples : 0});
+    Result<gpu::RenderTarget> made = gpu::RenderTarget::create(
+        drawnOn(), size.width, size.height, {.layers = layers, .samples = multisampled ? samples() : 0});
     if (!made)
         return tl::unexpected(made.error());
     target.emplace(std::move(*made));
@@ -170,8 +176,7 @@ Result<void> Session::draw(const FrameRequest& request, const DrawOptions& optio
 }
 
 Result<gpu::RenderTarget> Session::makeTile(std::uint32_t width, std::uint32_t height) {
-    return gpu::RenderTarget::create(drawnOn(), width, height,
-                                     {.samples = options_.samples > 1 ? options_.samples : 0});
+    return gpu::RenderTarget::create(drawnOn(), width, height, {.samples = samples() > 1 ? samples() : 0});
 }
 
 Result<void> Session::drawTile(const FrameRequest& request, gpu::RenderTarget& tile) {
@@ -207,6 +212,7 @@ FrameFigures Session::figures() const {
     FrameFigures figures;
     figures.driver = driver();
     figures.drawing = options_.drawing == gpu::Drawing::Fast ? "fast" : "exact";
+    figures.choices = gpu::driverChoices(renderer().options(), capabilities(), samples());
     figures.textures = renderer().driver().textureMode;
     figures.glCalls = report.glCalls;
     figures.ringStalls = report.ringStalls;

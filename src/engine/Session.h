@@ -66,6 +66,8 @@ public:
     [[nodiscard]] Result<void> draw(const FrameRequest& request, const DrawOptions& options);
     /// A target for drawTile, of this size in pixels and with this session's samples. Errors: the device's.
     [[nodiscard]] Result<gpu::RenderTarget> makeTile(std::uint32_t width, std::uint32_t height);
+    /// Waits until the device has drawn all frames.
+    void finish() { device_.finishFrames(); }
     /// Draws a part of a picture into a tile (RenderTarget::setTile). `request`: of the whole picture. Ends the
     /// last frame: `target` needs another `draw`. Errors: the renderer's.
     [[nodiscard]] Result<void> drawTile(const FrameRequest& request, gpu::RenderTarget& tile);
@@ -87,6 +89,8 @@ public:
     [[nodiscard]] gpu::Renderer& renderer() { return pipeline_.renderer(); }
     [[nodiscard]] const gpu::Renderer& renderer() const { return pipeline_.renderer(); }
     [[nodiscard]] const gpu::Capabilities& capabilities() const { return device_.capabilities(); }
+    /// Samples a pixel in frames without ids and layers; 1: no multisampling.
+    [[nodiscard]] std::uint32_t samples() const { return samplesOn(capabilities(), options_); }
     /// Frames drawn so far.
     [[nodiscard]] std::uint64_t frames() const { return frames_; }
     // Results of the last frame. `target` requires a drawn frame.

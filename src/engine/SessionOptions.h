@@ -15,11 +15,15 @@ struct SessionOptions {
     gpu::Drawing drawing = gpu::Drawing::Exact;
     gpu::TextureMode textures = gpu::TextureMode::Auto;
     gpu::Culling culling = gpu::Culling::Hidden;
-    std::uint32_t samples =
-        0;                   ///< samples a pixel in frames without ids and layers; 0 and 1: no multisampling
-    float anisotropy = 4.0f; ///< upper bound of anisotropic filtering
+    /// Samples a pixel in frames without ids and layers, on any driver; 1: no multisampling; 0: presetSamples.
+    std::uint32_t samples = 0;
+    std::uint32_t presetSamples = 0;      ///< the same of a quality level, with a graphics card only
+    float anisotropy = 4.0f;              ///< upper bound of anisotropic filtering
     std::optional<std::size_t> quality{}; ///< index in kQualities; none: options were set one by one
 };
+
+/// The samples a pixel that a driver draws.
+[[nodiscard]] std::uint32_t samplesOn(const gpu::Capabilities& driver, const SessionOptions& options);
 
 /// Sets the loading and drawing options of a quality level. Requires an index into kQualities.
 void applyQuality(std::size_t quality, SessionOptions& options);

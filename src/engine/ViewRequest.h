@@ -3,6 +3,7 @@
 #include "check/View.h"
 #include "core/Error.h"
 #include "engine/Camera.h"
+#include "engine/DayGroup.h"
 #include "engine/SceneState.h"
 #include "world/Places.h"
 
@@ -35,7 +36,7 @@ struct BodyRequest {
 /// SceneState with names in place of indices.
 struct SceneRequest {
     double time = 0.5;
-    std::string day; ///< a day group's number or name (engine/DayGroup.h); empty: the first
+    DayChoice day;
     Weather weather = Weather::Clear;
     double seconds = 0.0;
     std::optional<double> doors;

@@ -1,16 +1,20 @@
 #include "frame/DrawRecords.h"
 
 #include "core/Assert.h"
-#include "world/LevelRange.h"
+#include "world/World.h"
 
 #include <algorithm>
 #include <bit>
 
 namespace limen::frame {
+namespace {
+
+constexpr auto kTerrainKind = static_cast<std::uint32_t>(world::InstanceKind::Terrain);
+
+} // namespace
 
 RecordTables tablesOf(const SceneUpload& scene) {
-    return {scene.pieces,    scene.instances, scene.members, scene.levels,
-            scene.lightSets, scene.lights,    scene.lampLit};
+    return {scene.pieces, scene.instances, scene.members, scene.levels, scene.lightSets};
 }
 
 bool DrawRecords::isInRange(std::uint32_t instance) const {
@@ -44,14 +48,9 @@ std::uint32_t DrawRecords::replaced(std::uint32_t instance) const {
     return instance;
 }
 
-std::uint32_t DrawRecords::lampsOf(std::uint32_t instance, const gpu::LightSet& set) const {
-    const bool isKnown = instance < tables_.lampLit.size();
-    return isKnown && tables_.lampLit[instance] == 0 ? 0 : std::min(set.lightCount, gpu::kMaxLights);
-}
-
 bool DrawRecords::hasLamps(std::uint32_t instance) const {
-    const gpu::Member lit = memberThatLights(at(replaced(instance)));
-    return lampsOf(instance, tables_.lightSets[lit.lightSet]) > 0;
+    const gpu::LightSet& set = tables_.lightSets[memberThatLights(at(replaced(instance))).lightSet];
+    return set.lampCount > 0 || (set.kind != gpu::kLitOutdoors && plan_.constants.viewerLight.w > 0.0f);
 }
 
 Vec3 DrawRecords::offsetOf(std::uint32_t block, const Vec3f& local) const {
@@ -59,15 +58,6 @@ Vec3 DrawRecords::offsetOf(std::uint32_t block, const Vec3f& local) const {
     const gpu::vec4 &high = plan_.constants.eyeHigh, &low = plan_.constants.eyeLow;
     return Vec3(origin.x, origin.y, origin.z) + Vec3(local) - Vec3(high.x, high.y, high.z) -
            Vec3(low.x, low.y, low.z);
-}
-
-void DrawRecords::placeLamps(std::span<gpu::Lamp> lamps) const {
-    LIMEN_ASSERT(lamps.size() == tables_.lights.size(), "one lamp for each light");
-    for (std::size_t i = 0; i < lamps.size(); ++i) {
-        const gpu::Light& light = tables_.lights[i];
-        const Vec3 at = offsetOf(std::bit_cast<std::uint32_t>(light.colour.w), Vec3f(light.position));
-        lamps[i] = {{Vec3f(at), light.position.w}, light.colour};
-    }
 }
 
 gpu::DrawRecord DrawRecords::of(std::uint32_t instance) const {
@@ -98,14 +88,16 @@ gpu::Member DrawRecords::memberThatLights(const gpu::Instance& instance) const {
 
 void DrawRecords::light(std::uint32_t number, gpu::DrawRecord& record) const {
     const gpu::Instance& instance = at(replaced(number));
-    const gpu::Member lit = memberThatLights(instance);
-    const gpu::LightSet& set = tables_.lightSets[lit.lightSet];
+    const gpu::LightSet& set = tables_.lightSets[memberThatLights(instance).lightSet];
     const gpu::ViewConstants& view = plan_.constants;
-    record.rest.w = lit.zone == gpu::kOutside ? 1.0f : 0.0f;
-    record.ambient = {gpu::vec3(set.ambient) + gpu::vec3(view.skyAmbient) * set.ambient.w, instance.opacity};
-    record.sun = {gpu::vec3(view.sunColour) * set.sun, 0.0f};
-    record.look = {instance.firstMaterial, instance.highlight, set.firstLight, lampsOf(number, set)};
-    record.members = {instance.firstMember, gpu::memberCountOf(instance), instance.idBase, 0};
+    const bool isOutdoors = set.kind == gpu::kLitOutdoors;
+    const gpu::vec4& ambient = set.sealed != 0                         ? view.sealedAmbient
+                               : gpu::kindOf(instance) == kTerrainKind ? view.landAmbient
+                                                                       : view.skyAmbient;
+    record.ambient = {gpu::vec3(ambient), instance.opacity};
+    record.sun = isOutdoors ? gpu::vec4(gpu::vec3(view.sunColour), 0.0f) : gpu::vec4(0.0f);
+    record.look = {instance.firstMaterial, instance.highlight, set.firstLamp, set.lampCount};
+    record.members = {instance.firstMember, gpu::memberCountOf(instance), instance.idBase, set.kind};
 }
 
 } // namespace limen::frame

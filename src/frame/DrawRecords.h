@@ -16,8 +16,6 @@ struct RecordTables {
     std::vector<gpu::Member> members;
     std::vector<gpu::Level> levels;
     std::vector<gpu::LightSet> lightSets;
-    std::vector<gpu::Light> lights;
-    std::vector<std::uint8_t> lampLit; ///< SceneUpload::lampLit
 };
 [[nodiscard]] RecordTables tablesOf(const SceneUpload& scene);
 
@@ -36,12 +34,10 @@ public:
     }
     /// Whether the eye is within an instance's level of detail; as cull.comp decides.
     [[nodiscard]] bool isInRange(std::uint32_t instance) const;
-    /// Whether lamps light an instance.
+    /// Whether lamps or the viewer's light may light an instance.
     [[nodiscard]] bool hasLamps(std::uint32_t instance) const;
     /// The record of an instance, or of the instance that replaces it in this frame.
     [[nodiscard]] gpu::DrawRecord of(std::uint32_t instance) const;
-    /// All lights of the scene, in order, placed for this frame.
-    void placeLamps(std::span<gpu::Lamp> lamps) const;
 
 private:
     /// The number of the instance that draws an instance in this frame.
@@ -59,8 +55,6 @@ private:
     [[nodiscard]] gpu::Member memberThatLights(const gpu::Instance& instance) const;
     void place(const gpu::Instance& instance, gpu::DrawRecord& record) const;
     void light(std::uint32_t instance, gpu::DrawRecord& record) const;
-    /// Lamps that may reach an instance.
-    [[nodiscard]] std::uint32_t lampsOf(std::uint32_t instance, const gpu::LightSet& set) const;
 
     const RecordTables& tables_;
     const FramePlan& plan_;

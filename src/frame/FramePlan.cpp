@@ -10,6 +10,7 @@ void FramePlan::clear() {
     clipSets.clear();
     rects.clear();
     skyInstances.clear();
+    lamps.clear();
     dynamicRecords = {};
     dynamicInstances.clear();
     dynamicChanges.clear();

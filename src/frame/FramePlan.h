@@ -104,6 +104,7 @@ struct FramePlan {
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::vec4> rects; ///< minimum x and y, maximum x and y; NDC
     std::vector<gpu::SkyInstance> skyInstances;
+    std::vector<gpu::Lamp> lamps; ///< the scene's, by number
     DynamicRecords dynamicRecords;
     std::vector<std::uint32_t> dynamicInstances; ///< the visible ones, by their numbers in the dynamic state
     std::vector<DynamicChange> dynamicChanges;   ///< members of several zones, and highlights; ascending

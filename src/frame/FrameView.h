@@ -4,6 +4,7 @@
 #include "visibility/View.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace limen::frame {
@@ -37,6 +38,7 @@ struct FrameView {
     double seconds = 0.0;                    ///< for content that moves by itself
     std::uint32_t dayGroup = 0;
     Weather weather = Weather::Clear;
+    std::optional<Vec3> viewerLight;    ///< the light that the viewer carries in cells, global; none outdoors
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shown where the world has a hole
     Rules rules;
     /// Instances of the root's zone that no opening can hide are drawn without the ownership test. The picture

@@ -39,6 +39,10 @@ struct DrawCommand {
     return instance.membersAndKind & kMostMembers;
 }
 
+[[nodiscard]] constexpr std::uint32_t kindOf(const Instance& instance) {
+    return instance.membersAndKind >> 16;
+}
+
 /// The point of a pixel with one sample that its ray passes through: pixels from the centre, y downwards.
 inline constexpr glm::dvec2 kPixelPlace{double{kBesideX} / kPartsOfAPixel,
                                         -double{kBesideY} / kPartsOfAPixel};
@@ -47,8 +51,7 @@ inline constexpr glm::dvec2 kPixelPlace{double{kBesideX} / kPartsOfAPixel,
 static_assert(sizeof(Vertex) == 64 && sizeof(DrawCommand) == 20);
 static_assert(sizeof(Visit) == 32 && sizeof(Instance) == 80 && sizeof(Member) == 8 && sizeof(Material) == 32);
 static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(TerrainCell) == 96);
-static_assert(sizeof(LightSet) == 32 && sizeof(Light) == 32 && sizeof(OwnershipVertex) == 48 &&
-              sizeof(ClipSet) == 128);
+static_assert(sizeof(LightSet) == 16 && sizeof(OwnershipVertex) == 48 && sizeof(ClipSet) == 128);
 static_assert(sizeof(Level) == 16 && sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 &&
               sizeof(DrawRun) == 16 && sizeof(SlotGroup) == 16 && sizeof(Replacement) == 8 &&
               sizeof(DrawRecord) == 128 && sizeof(Lamp) == 32 && sizeof(PackedCell) == 48);
@@ -59,13 +62,15 @@ static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
 static_assert(offsetof(ViewConstants, clipFromEye) == 0 && offsetof(ViewConstants, eyeHigh) == 64 &&
               offsetof(ViewConstants, eyeLow) == 80 && offsetof(ViewConstants, eyeSteps) == 96 &&
               offsetof(ViewConstants, sunDirection) == 112 && offsetof(ViewConstants, sunColour) == 128 &&
-              offsetof(ViewConstants, skyAmbient) == 144 && offsetof(ViewConstants, fogColour) == 160 &&
-              offsetof(ViewConstants, fogRange) == 176 && offsetof(ViewConstants, voidColour) == 192 &&
-              offsetof(ViewConstants, skyZenith) == 208 && offsetof(ViewConstants, rootZone) == 224 &&
-              offsetof(ViewConstants, visitCount) == 228 && offsetof(ViewConstants, flags) == 232 &&
-              offsetof(ViewConstants, nearPlane) == 236 && offsetof(ViewConstants, staticInstances) == 240 &&
-              offsetof(ViewConstants, staticMembers) == 244 && offsetof(ViewConstants, staticPieces) == 248 &&
-              offsetof(ViewConstants, replacementCount) == 252 && sizeof(ViewConstants) == 256);
+              offsetof(ViewConstants, landAmbient) == 144 && offsetof(ViewConstants, skyAmbient) == 160 &&
+              offsetof(ViewConstants, sealedAmbient) == 176 && offsetof(ViewConstants, viewerLight) == 192 &&
+              offsetof(ViewConstants, fogColour) == 208 && offsetof(ViewConstants, fogRange) == 224 &&
+              offsetof(ViewConstants, voidColour) == 240 && offsetof(ViewConstants, skyZenith) == 256 &&
+              offsetof(ViewConstants, rootZone) == 272 && offsetof(ViewConstants, visitCount) == 276 &&
+              offsetof(ViewConstants, flags) == 280 && offsetof(ViewConstants, nearPlane) == 284 &&
+              offsetof(ViewConstants, staticInstances) == 288 &&
+              offsetof(ViewConstants, staticMembers) == 292 && offsetof(ViewConstants, staticPieces) == 296 &&
+              offsetof(ViewConstants, replacementCount) == 300 && sizeof(ViewConstants) == 304);
 static_assert(offsetof(DeviceConstants, viewport) == 0 && offsetof(DeviceConstants, rayCorner) == 16 &&
               offsetof(DeviceConstants, rayRight) == 32 && offsetof(DeviceConstants, rayUp) == 48 &&
               offsetof(DeviceConstants, flags) == 64 && offsetof(DeviceConstants, pixel) == 68 &&
@@ -80,7 +85,7 @@ static_assert(offsetof(DeviceConstants, viewport) == 0 && offsetof(DeviceConstan
               offsetof(DeviceConstants, firstOccludee) == 120 &&
               offsetof(DeviceConstants, windowOrigin) == 124 && offsetof(DeviceConstants, firstLamp) == 128 &&
               sizeof(DeviceConstants) == 144);
-static_assert(offsetof(FrameConstants, view) == 0 && offsetof(FrameConstants, device) == 256 &&
-              sizeof(FrameConstants) == 400);
+static_assert(offsetof(FrameConstants, view) == 0 && offsetof(FrameConstants, device) == 304 &&
+              sizeof(FrameConstants) == 448);
 
 } // namespace limen::frame::gpu

@@ -41,16 +41,14 @@ static_assert(offsetof(Level, originX) == 0 && offsetof(Level, originY) == 4 &&
               offsetof(Level, originZ) == 8 && offsetof(Level, range) == 12);
 static_assert(offsetof(Material, colour) == 0 && offsetof(Material, texture) == 16 &&
               offsetof(Material, flags) == 20 && offsetof(Material, luminosity) == 24 &&
-              offsetof(Material, diffuse) == 28);
+              offsetof(Material, reserved0) == 28);
 static_assert(offsetof(TextureRef, place) == 0);
 static_assert(offsetof(TerrainLayer, texture) == 0 && offsetof(TerrainLayer, alpha) == 4 &&
               offsetof(TerrainLayer, rotation) == 8 && offsetof(TerrainLayer, tiling) == 12);
 static_assert(offsetof(TerrainCell, base) == 0 && offsetof(TerrainCell, overlays) == 16 &&
               offsetof(TerrainCell, roads) == 64);
-static_assert(offsetof(LightSet, ambient) == 0 && offsetof(LightSet, sun) == 16 &&
-              offsetof(LightSet, firstLight) == 20 && offsetof(LightSet, lightCount) == 24 &&
-              offsetof(LightSet, reserved0) == 28);
-static_assert(offsetof(Light, position) == 0 && offsetof(Light, colour) == 16);
+static_assert(offsetof(LightSet, kind) == 0 && offsetof(LightSet, firstLamp) == 4 &&
+              offsetof(LightSet, lampCount) == 8 && offsetof(LightSet, sealed) == 12);
 static_assert(offsetof(OwnershipVertex, position) == 0 && offsetof(OwnershipVertex, block) == 12 &&
               offsetof(OwnershipVertex, visit) == 16 && offsetof(OwnershipVertex, clipSet) == 20 &&
               offsetof(OwnershipVertex, outlineFirst) == 24 &&
@@ -61,7 +59,7 @@ static_assert(offsetof(SkyInstance, row0) == 0 && offsetof(SkyInstance, row1) ==
               offsetof(SkyInstance, row2) == 32 && offsetof(SkyInstance, firstMaterial) == 48 &&
               offsetof(SkyInstance, opacity) == 52 && offsetof(SkyInstance, luminosity) == 56 &&
               offsetof(SkyInstance, uvOffsetX) == 60 && offsetof(SkyInstance, uvOffsetY) == 64 &&
-              offsetof(SkyInstance, reserved0) == 68 && offsetof(SkyInstance, reserved1) == 72 &&
+              offsetof(SkyInstance, diffuse) == 68 && offsetof(SkyInstance, overLand) == 72 &&
               offsetof(SkyInstance, reserved2) == 76);
 static_assert(sizeof(TerrainCell) ==
               kLayersPerCell * sizeof(TerrainLayer)); // the shaders read an array of layers

@@ -128,8 +128,9 @@ std::vector<gpu::Member> membersOfSpaces(const world::World& world) {
 }
 
 MemberRun packMembers(const world::World& world, std::span<const world::SpaceIndex> spaces,
-                      const OwnMembers& own) {
-    if (spaces.size() == 1)
+                      const OwnMembers& own, std::uint32_t lightSet) {
+    const bool isLitAlike = lightSet == world::kNone; // as other objects in its spaces
+    if (isLitAlike && spaces.size() == 1)
         return {spaces.front(), 1};
     const std::size_t first = own.members.size();
     for (const world::SpaceIndex index : spaces) {
@@ -137,11 +138,12 @@ MemberRun packMembers(const world::World& world, std::span<const world::SpaceInd
         const bool isKnown =
             std::any_of(own.members.begin() + static_cast<std::ptrdiff_t>(first), own.members.end(),
                         [&](const gpu::Member& member) { return member.zone == space.zone; });
+        const bool takesOwn = !isLitAlike && space.zone != world::kOutsideZone;
         if (!isKnown)
-            own.members.push_back({space.zone, space.lightSet});
+            own.members.push_back({space.zone, takesOwn ? lightSet : space.lightSet});
     }
     const std::size_t count = own.members.size() - first;
-    if (count == 1) {
+    if (isLitAlike && count == 1) {
         own.members.pop_back();
         return {spaces.front(), 1};
     }

@@ -10,8 +10,8 @@
 namespace limen::frame {
 
 /// One member record per space, by its number: its zone and its light set. Every scene's members begin with
-/// these. An instance whose spaces are all in one zone, as nearly all are, refers to one of them and has no
-/// records of its own.
+/// these. An instance whose spaces are all in one zone refers to one of them and has no records of its own,
+/// unless it has a light set of its own.
 [[nodiscard]] std::vector<gpu::Member> membersOfSpaces(const world::World& world);
 
 /// Receives the member records of instances that are members of several zones.
@@ -25,9 +25,9 @@ struct MemberRun {
     std::uint32_t first = 0, count = 0;
 };
 /// The member records of an instance in these spaces: their zones, each once, that of the first space first,
-/// each with the light set of the first space in that zone.
+/// each with the light set of the first space in that zone, or in cells with `lightSet`.
 [[nodiscard]] MemberRun packMembers(const world::World& world, std::span<const world::SpaceIndex> spaces,
-                                    const OwnMembers& own);
+                                    const OwnMembers& own, std::uint32_t lightSet = world::kNone);
 
 /// gpu::Instance::membersAndKind.
 [[nodiscard]] inline std::uint32_t membersAndKind(std::uint32_t members, world::InstanceKind kind) {

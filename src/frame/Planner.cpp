@@ -58,6 +58,11 @@ PieceRun gatedIf(bool gated, PieceRun run) {
 /// Dynamic instances whose mesh is prefetched ahead of the one that is planned.
 constexpr std::size_t kMeshesAhead = 8;
 
+// Light in cells: docs/formats/light.md.
+constexpr float kSealedAmbient = 0.2f;
+constexpr float kViewerIntensity = 2.25f;
+constexpr std::size_t kMostLamps = 40; ///< that shine in a frame
+
 /// The plain sky's colour straight up, as a factor of the horizon's: bluer and darker.
 constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
@@ -72,6 +77,7 @@ void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
     LIMEN_ASSERT(!set.visits.empty(), "a flood yields at least the root");
     plan.clear();
     fillConstants(frame, set, plan);
+    placeLamps(frame.view.eye, plan);
     beginStage(plan, StageKind::Ownership);
     planOwnership(world_, dynamics, frame, set, plan);
     const bool several = set.visits.size() > 1;
@@ -125,10 +131,15 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
                                  static_cast<float>((block.coord.y - eyeBlock.y) * world::kBlockSize), 0.0f,
                                  0.0f);
     }
-    const world::SkyState sky = world::skyAt(world_.sky, frame.dayGroup, frame.timeOfDay);
+    const world::SkyState sky =
+        world::skyAt(world_.sky, frame.dayGroup, world::timeOfLight(world_.sky, frame.timeOfDay));
     c.sunDirection = {sky.sunDirection, 0.0f};
     c.sunColour = {sky.sunColour, 0.0f};
-    c.skyAmbient = {sky.ambient, 0.0f};
+    c.landAmbient = {sky.ambient, 0.0f};
+    c.skyAmbient = {sky.thingsAmbient(), 0.0f};
+    c.sealedAmbient = {Vec3f(kSealedAmbient), 0.0f};
+    if (frame.viewerLight)
+        c.viewerLight = {Vec3f(*frame.viewerLight - eye), kViewerIntensity};
     c.fogColour = {sky.fogColour, 1.0f};
     c.fogRange = {sky.fogNear, sky.fogFar, 0.0f, 0.0f};
     c.skyZenith = {sky.fogColour * Vec3f(kZenith[0], kZenith[1], kZenith[2]), 1.0f};
@@ -140,6 +151,19 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.staticInstances = static_cast<std::uint32_t>(scene_.records().size());
     c.staticMembers = static_cast<std::uint32_t>(scene_.members().size());
     c.staticPieces = static_cast<std::uint32_t>(pieces_.pieces.size());
+}
+
+void Planner::placeLamps(const Vec3& eye, FramePlan& plan) {
+    lamps_.clear();
+    for (const world::Light& light : world_.lights) {
+        const Vec3 offset = light.position - eye;
+        lamps_.emplace_back(glm::dot(offset, offset), static_cast<std::uint32_t>(plan.lamps.size()));
+        plan.lamps.push_back({{Vec3f(offset), light.falloff}, {light.colour, 0.0f}});
+    }
+    const std::size_t shining = std::min(lamps_.size(), kMostLamps);
+    std::nth_element(lamps_.begin(), lamps_.begin() + static_cast<std::ptrdiff_t>(shining), lamps_.end());
+    for (std::size_t i = 0; i < shining; ++i)
+        plan.lamps[lamps_[i].second].colour.w = world_.lights[lamps_[i].second].intensity;
 }
 
 void Planner::planDynamic(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan) {
@@ -193,31 +217,43 @@ void Planner::planSolid(bool several, FramePlan& plan) {
     addSolid(DrawClass::CutOut, several, plan);
 }
 
-void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
-    const bool seesSky = seesOutside(set);
-    if (seesSky || (frame.fillsVoids && plan.visits.size() > 1))
-        plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
-    if (!seesSky)
-        return;
-    world::skyPlacements(world_.sky, frame.dayGroup, frame.timeOfDay, frame.seconds, sky_);
-    beginBatch(Program::SkyObjects, false, plan);
-    const std::size_t firstPiece = plan.pieces.size();
+void Planner::addSkyObjects(bool overLand, FramePlan& plan) {
     for (const world::SkyPlacement& p : sky_) {
+        if (p.isOverLand != overLand)
+            continue;
         const world::SkyPart& part = world_.sky.parts[p.part];
         const auto instance = static_cast<std::uint32_t>(plan.skyInstances.size());
         gpu::SkyInstance out;
-        out.row0 = {p.rotation[0][0], p.rotation[1][0], p.rotation[2][0], 0.0f};
-        out.row1 = {p.rotation[0][1], p.rotation[1][1], p.rotation[2][1], 0.0f};
-        out.row2 = {p.rotation[0][2], p.rotation[1][2], p.rotation[2][2], 0.0f};
+        out.row0 = {p.rotation[0][0], p.rotation[1][0], p.rotation[2][0], p.offset.x};
+        out.row1 = {p.rotation[0][1], p.rotation[1][1], p.rotation[2][1], p.offset.y};
+        out.row2 = {p.rotation[0][2], p.rotation[1][2], p.rotation[2][2], p.offset.z};
         out.firstMaterial = part.firstMaterial;
         out.opacity = 1.0f - p.transparent;
         out.luminosity = p.luminosity;
+        out.diffuse = p.diffuse;
+        out.overLand = overLand ? 1u : 0u;
         out.uvOffsetX = p.uvOffset.x;
         out.uvOffsetY = p.uvOffset.y;
         plan.skyInstances.push_back(out);
         for (const world::Mesh::Range& range : world_.meshes[part.mesh].ranges)
             addRun(addOwnPieces(range, instance, plan), plan);
     }
+}
+
+void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
+    const bool seesSky = seesOutside(set);
+    if (seesSky || (frame.fillsVoids && plan.visits.size() > 1))
+        plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
+    if (!seesSky)
+        return;
+    world::skyPlacements(world_.sky,
+                         {frame.dayGroup, world::timeOfSky(world_.sky, frame.timeOfDay), frame.seconds,
+                          frame.view.eye.z, frame.view.root == world::kOutside},
+                         sky_);
+    beginBatch(Program::SkyObjects, false, plan);
+    const std::size_t firstPiece = plan.pieces.size();
+    for (const bool overLand : {false, true})
+        addSkyObjects(overLand, plan);
     for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i)
         plan.pieces[i].triangles |= gpu::kNeverCulled;
 }

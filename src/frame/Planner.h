@@ -39,6 +39,8 @@ private:
     };
 
     void fillConstants(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) const;
+    /// Places the lamps; the nearest ones shine.
+    void placeLamps(const Vec3& eye, FramePlan& plan);
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
     void planDynamic(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan);
     void changeDynamic(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t instance,
@@ -46,6 +48,8 @@ private:
     void planSolid(bool several, FramePlan& plan);
     void addSolid(DrawClass drawn, bool several, FramePlan& plan);
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
+    /// Adds the sky objects that are over the land, or the others, to the last batch.
+    void addSkyObjects(bool overLand, FramePlan& plan);
     void planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics, FramePlan& plan);
     /// Adds to `transparent_` from pieces of one class in which those of an instance are consecutive.
     /// `first`: number of the first piece; `boundsOf(instance)`: its bounding sphere.
@@ -61,6 +65,7 @@ private:
     DynamicPieces dynamicPieces_; ///< of the frame
     std::vector<TransparentRun> transparent_;
     std::vector<world::SkyPlacement> sky_;
+    std::vector<std::pair<double, std::uint32_t>> lamps_; ///< squared distance from the eye, and number
 };
 
 } // namespace limen::frame

@@ -3,11 +3,15 @@
 #include "frame/PackInstance.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace limen::frame {
 
 namespace {
+
+static_assert(static_cast<std::uint32_t>(world::LightSet::Kind::Outdoors) == gpu::kLitOutdoors &&
+              static_cast<std::uint32_t>(world::LightSet::Kind::Moving) == gpu::kLitMoving &&
+              static_cast<std::uint32_t>(world::LightSet::Kind::Thing) == gpu::kLitThing &&
+              static_cast<std::uint32_t>(world::LightSet::Kind::Walls) == gpu::kLitWalls);
 
 /// A unit vector in signed normalised 10-10-10-2.
 std::uint32_t packNormal(const Vec3f& n) {
@@ -32,22 +36,6 @@ gpu::TerrainCell packTerrain(const world::TerrainCell& in) {
     return out;
 }
 
-/// The resident block that a light is stored relative to: the block that contains it, else any.
-std::uint32_t blockFor(const world::World& world, const Vec3& position) {
-    for (std::uint32_t b = 0; b < world.blocks.size(); ++b) {
-        const Vec3 local = position - world.blocks[b].origin();
-        if (local.x >= 0.0 && local.y >= 0.0 && local.x < world::kBlockSize && local.y < world::kBlockSize)
-            return b;
-    }
-    return 0;
-}
-
-gpu::Light packLight(const world::World& world, const world::Light& in) {
-    const std::uint32_t block = blockFor(world, in.position);
-    const Vec3f local(in.position - (world.blocks.empty() ? Vec3(0.0) : world.blocks[block].origin()));
-    return {{local, in.range}, {in.colour, std::bit_cast<float>(block)}};
-}
-
 /// Indices into the arena. World::indices are relative to the first vertex of their mesh.
 std::vector<std::uint32_t> indicesOfArena(const world::World& world) {
     std::vector<std::uint32_t> indices = world.indices;
@@ -67,7 +55,7 @@ void addMaterials(const world::World& world, SceneUpload& scene) {
         flags |= (m.flags & world::Material::kInvAlpha) != 0 ? gpu::kMaterialInvAlpha : 0;
         flags |= (m.flags & world::Material::kAlpha) != 0 ? gpu::kMaterialAlpha : 0;
         flags |= (m.flags & world::Material::kSplit) != 0 ? gpu::kMaterialSplit : 0;
-        scene.materials.push_back({m.colour, m.texture, flags, m.luminosity, m.diffuse});
+        scene.materials.push_back({m.colour, m.texture, flags, m.luminosity, 0});
     }
     scene.materialRefs = world.materialRefs;
 }
@@ -101,19 +89,6 @@ void addTextures(const world::World& world, SceneUpload& scene) {
     }
 }
 
-/// Whether a lamp of the instance's light sets reaches its bounds.
-bool isLampLit(const world::World& world, const world::Instance& instance) {
-    const auto members = std::span(world.members).subspan(instance.firstMember, instance.memberCount);
-    return std::any_of(members.begin(), members.end(), [&](world::SpaceIndex space) {
-        const world::LightSet& set = world.lightSets[world.spaces[space].lightSet];
-        const auto lamps = std::span(world.lights).subspan(set.firstLight, set.lightCount);
-        return std::any_of(lamps.begin(), lamps.end(), [&](const world::Light& lamp) {
-            return glm::length(lamp.position - instance.bounds.centre) <
-                   double{lamp.range} + instance.bounds.radius;
-        });
-    });
-}
-
 } // namespace
 
 SceneUpload buildScene(const StaticScene& scene) {
@@ -135,11 +110,10 @@ SceneUpload buildScene(const StaticScene& scene) {
     for (const world::TerrainCell& cell : world.terrainCells)
         upload.terrainCells.push_back(packTerrain(cell));
     for (const world::LightSet& set : world.lightSets)
-        upload.lightSets.push_back({{set.ambient, set.sky}, set.sun, set.firstLight, set.lightCount, 0});
-    for (const world::Instance& instance : world.instances)
-        upload.lampLit.push_back(isLampLit(world, instance) ? 1 : 0);
-    for (const world::Light& light : world.lights)
-        upload.lights.push_back(packLight(world, light));
+        upload.lightSets.push_back(
+            {static_cast<std::uint32_t>(set.kind), set.firstLamp, set.lampCount, set.sealed ? 1u : 0u});
+    upload.lampRefs = world.lampRefs;
+    upload.lamps = static_cast<std::uint32_t>(world.lights.size());
     return upload;
 }
 

@@ -28,9 +28,8 @@ struct SceneUpload {
     std::vector<std::uint32_t> materialRefs;
     std::vector<gpu::TerrainCell> terrainCells;
     std::vector<gpu::LightSet> lightSets;
-    std::vector<gpu::Light> lights;
-    /// By instance: 1 if a lamp of its light sets reaches its bounds. Empty: unknown, any lamp may.
-    std::vector<std::uint8_t> lampLit;
+    std::vector<std::uint32_t> lampRefs; ///< indices into FramePlan::lamps
+    std::uint32_t lamps = 0;             ///< size of FramePlan::lamps
     std::vector<TextureUpload> textures;
 };
 

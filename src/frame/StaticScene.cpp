@@ -3,6 +3,7 @@
 #include "frame/PackInstance.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace limen::frame {
@@ -12,9 +13,20 @@ StaticScene::StaticScene(const world::World& world)
       pieces_(buildPieces(world, clusters_)), meshPieces_(world), members_(membersOfSpaces(world)),
       byObject_(world.instances.size()) {
     records_.reserve(world.instances.size());
-    for (const world::Instance& in : world.instances) {
+    std::map<std::pair<world::SpaceIndex, std::uint32_t>, MemberRun> known; // by the only space and light set
+    for (std::size_t i = 0; i < world.instances.size(); ++i) {
+        const world::Instance& in = world.instances[i];
         const auto spaces = std::span(world.members).subspan(in.firstMember, in.memberCount);
-        records_.push_back(packInstance(in, packMembers(world, spaces, {members_, 0})));
+        const std::uint32_t lightSet =
+            i < world.instanceLightSets.size() ? world.instanceLightSets[i] : world::kNone;
+        if (lightSet == world::kNone || spaces.size() != 1) {
+            records_.push_back(packInstance(in, packMembers(world, spaces, {members_, 0}, lightSet)));
+            continue;
+        }
+        const auto [entry, fresh] = known.try_emplace({spaces.front(), lightSet});
+        if (fresh)
+            entry->second = packMembers(world, spaces, {members_, 0}, lightSet);
+        records_.push_back(packInstance(in, entry->second));
     }
     std::iota(byObject_.begin(), byObject_.end(), 0u);
     std::sort(byObject_.begin(), byObject_.end(), [&](world::InstanceIndex a, world::InstanceIndex b) {

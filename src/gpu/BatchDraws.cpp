@@ -51,7 +51,9 @@ DrawState stateOf(frame::Program program, const FrameKind& frame) {
     const bool culled = fast || !frame.exactOutlines;
     state.cullBackFaces = culled && program != frame::Program::Ownership;
     // A fast sky is tested before it is shaded, which a program that discards and writes depth never is.
-    state.writeDepth = program != frame::Program::Blended && !(fast && isSky(program));
+    // Sky objects have the depth of the plain sky, or none.
+    state.writeDepth = program != frame::Program::Blended && program != frame::Program::SkyObjects &&
+                       !(fast && isSky(program));
     return state;
 }
 

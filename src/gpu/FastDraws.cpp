@@ -88,7 +88,6 @@ void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& t
         if (!draws_[slot].gated)
             records[slot].members.y = 0;
     }
-    makes.placeLamps(ring.lamps(memory));
 }
 
 } // namespace limen::gpu

@@ -16,8 +16,7 @@ void writeInstances(const frame::FramePlan& plan, std::span<layout::Instance> ou
     std::copy(plan.records.begin(), plan.records.end(), out.begin() + static_cast<std::ptrdiff_t>(dynamic));
 }
 
-FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment,
-                     const RingUse& use)
+FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment, RingUse use)
     : plan_(plan), slots_(slots), use_(use) {
     for (std::size_t i = 0; i < kArrays; ++i) {
         const std::size_t size = sizeOf(static_cast<Array>(i));
@@ -48,13 +47,14 @@ std::span<const std::byte> FrameRing::bytes(Array array) const {
         return of(plan_.replacements);
     case kPieces:
         return of(plan_.pieces);
+    case kLamps:
+        return of(plan_.lamps);
     case kConstants:
     case kInstances:
     case kSlotGroups:
     case kRuns:
     case kCommands:
     case kRecords:
-    case kLamps:
     case kArrays:
         break;
     }
@@ -62,7 +62,7 @@ std::span<const std::byte> FrameRing::bytes(Array array) const {
 }
 
 std::size_t FrameRing::sizeOf(Array array) const {
-    const bool records = use_.drawRecords;
+    const bool records = use_ == RingUse::DrawRecords;
     switch (array) {
     case kConstants:
         return sizeof(layout::FrameConstants);
@@ -77,8 +77,6 @@ std::size_t FrameRing::sizeOf(Array array) const {
         return records ? 0 : plan_.runs.size() * sizeof(layout::DrawRun);
     case kRecords:
         return records ? slots_ * sizeof(layout::DrawRecord) : 0;
-    case kLamps:
-        return use_.lamps * sizeof(layout::Lamp);
     case kCommands:
         return slots_ * sizeof(layout::DrawCommand);
     default:
@@ -105,10 +103,6 @@ std::span<layout::DrawCommand> FrameRing::commands(std::span<std::byte> memory) 
 
 std::span<layout::DrawRecord> FrameRing::records(std::span<std::byte> memory) const {
     return in<layout::DrawRecord>(memory, kRecords);
-}
-
-std::span<layout::Lamp> FrameRing::lamps(std::span<std::byte> memory) const {
-    return in<layout::Lamp>(memory, kLamps);
 }
 
 std::uint32_t FrameRing::texel(Array array) const {
@@ -144,7 +138,7 @@ void FrameRing::write(const layout::DeviceConstants& constants, std::span<std::b
         if (!array.empty())
             std::memcpy(memory.data() + places_[i].offset, array.data(), array.size());
     }
-    if (!use_.drawRecords)
+    if (use_ != RingUse::DrawRecords)
         writeInstances(plan_, in<layout::Instance>(memory, kInstances));
 }
 

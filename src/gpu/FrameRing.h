@@ -8,11 +8,8 @@
 namespace limen::gpu {
 
 /// Where the records of a frame's draws are made: by shaders, from instances and runs; or on the CPU, a record
-/// for each slot and the lamps.
-struct RingUse {
-    bool drawRecords = false;
-    std::size_t lamps = 0;
-};
+/// for each slot.
+enum class RingUse { Instances, DrawRecords };
 
 /// Writes the plan's instances: the dynamic ones with their changes, then its records.
 void writeInstances(const frame::FramePlan& plan, std::span<frame::gpu::Instance> out);
@@ -23,7 +20,7 @@ public:
     /// `slots`: number of draw commands. `alignment`: Capabilities::storageAlignment. The plan must outlive
     /// it.
     FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_t alignment,
-              const RingUse& use = {});
+              RingUse use = RingUse::Instances);
 
     [[nodiscard]] std::size_t size() const { return size_; } ///< bytes of ring memory
     [[nodiscard]] std::size_t commands() const { return places_[kCommands].offset; }
@@ -38,7 +35,6 @@ public:
     void locate(frame::gpu::DeviceConstants& constants) const;
     /// Sets the bindings of the arrays that shaders read as storage.
     void bind(StorageBindings& storage) const;
-    [[nodiscard]] std::span<frame::gpu::Lamp> lamps(std::span<std::byte> memory) const;
 
     /// Writes the plan's own arrays, and instances unless the CPU makes draw records.
     void write(const frame::gpu::DeviceConstants& constants, std::span<std::byte> memory) const;
@@ -57,11 +53,11 @@ private:
         kMembers,
         kReplacements,
         kPieces,
+        kLamps,
         kSlotGroups, // written by DrawCulling
         kRuns,       // written by DrawCulling
         kCommands,   // written on the GPU or by FastDraws
         kRecords,    // written by FastDraws
-        kLamps,      // written by FastDraws
         kArrays
     };
     [[nodiscard]] std::span<const std::byte> bytes(Array array) const;

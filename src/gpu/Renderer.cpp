@@ -349,7 +349,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
         report_.stages[i].kind = static_cast<frame::StageKind>(i);
     const std::uint32_t slots = prepareDraws(plan, options, target);
     const FrameRing ring(plan, slots, device_->capabilities().storageAlignment,
-                         isFast() ? RingUse{true, scene_->tables().lights.size()} : RingUse{});
+                         isFast() ? RingUse::DrawRecords : RingUse::Instances);
     if (Result<void> reserved = device_->reserveRing(ring.size()); !reserved)
         return reserved;
     // In every frame, because another renderer may have drawn since.

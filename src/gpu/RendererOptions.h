@@ -18,8 +18,8 @@ enum class Culling : std::uint8_t {
 
 /// Way of drawing a plan. Both draw the same surfaces in the same order of transparency.
 enum class Drawing : std::uint8_t {
-    Exact, ///< for proofs: the ray through a pixel's centre decides, and light is computed for every fragment
-    /// For people: hardware outlines, depth tests before shading, light at the vertices. Outlines differ from
+    Exact, ///< for proofs: the ray through a pixel's centre decides
+    /// For people: hardware outlines, depth tests before shading, fog at the vertices. Outlines differ from
     /// the exact ones by less than a pixel.
     Fast
 };

@@ -23,8 +23,8 @@ constexpr double kRainSpeed = 9.0;    ///< metres a second, down
 constexpr int kRainPerColumn = 2;     ///< periods above each other
 constexpr Vec2 kRainSize{0.012, 0.5}; ///< metres, across and up
 
-/// A drop nearer to the eye than this on the level has no direction to face; metres.
-constexpr double kNoDirectionToEye = 1e-3;
+/// A drop nearer to the eye than this on the level is a bar across the picture; metres.
+constexpr double kNearestDrop = 0.5;
 
 // The Region's weather has emitters at the eye. Here the emitters are on a level grid that is fixed in the
 // world, one in each square, and births are spread evenly over the square. The squares around the eye hold as
@@ -56,7 +56,7 @@ void addDrop(const DynamicStateInput& input, std::int64_t columnX, std::int64_t 
     const Vec3 at(x * kRainGrid, y * kRainGrid, low + fall - std::floor(fall / kRainPeriod) * kRainPeriod);
     const Vec3 towards = at - input.eye;
     const double flat = std::hypot(towards.x, towards.y);
-    if (flat < kNoDirectionToEye)
+    if (flat < kNearestDrop)
         return;
     SpriteShape drop{instances.world().rainDrop, kRainSize};
     drop.forward = Vec3(towards.x / flat, towards.y / flat, 0.0);

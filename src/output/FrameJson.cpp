@@ -84,6 +84,13 @@ Json figuresJson(const engine::FrameFigures& figures) {
     return stages;
 }
 
+Json choicesJson(const gpu::DriverChoices& choices) {
+    Json json = Json::object();
+    for (const gpu::DriverChoice& choice : gpu::describe(choices))
+        json[choice.name] = {{"value", choice.value}, {"reason", choice.reason}};
+    return json;
+}
+
 Json residentJson(const gpu::DeviceObjects& resident) {
     return {{"buffers", resident.buffers},
             {"buffer_bytes", resident.bufferBytes},
@@ -143,6 +150,8 @@ Json frameJson(const world::World& world, const engine::IdTable& table, const en
                 {"bytes_written", figures.bytesWritten},
                 {"ring_stalls", figures.ringStalls},
                 {"resident", residentJson(figures.resident)}};
+    if (figures.choices)
+        report["driver_choices"] = choicesJson(*figures.choices);
     if (!figures.trouble.empty())
         report["trouble"] = figures.trouble;
     if (!ids.empty()) {

@@ -43,7 +43,8 @@ Result<void> Application::frame() {
         present();
     else
         overlay_.clear();
-    drawOverlay();
+    if (!window_.isLost()) // GLFW reports arbitrary sizes of a lost window
+        drawOverlay();
     return {};
 }
 
@@ -145,6 +146,7 @@ Result<void> Application::frameWorld() {
     const bool isPaused = factsOf(pages_.page).pausesWorld;
     WorldInput input{.held = window_.held(),
                      .size = window_.size(),
+                     .percent = chooseScale(world_->verdict().has_value()),
                      .clicked = {},
                      .seconds = options_.step > 0.0 ? options_.step : frameSeconds_,
                      .now = lastSeconds_,
@@ -155,6 +157,8 @@ Result<void> Application::frameWorld() {
         input.clicked = window_.clicked();
     if (Result<void> drawn = world_->frame(input); !drawn)
         return drawn;
+    if (world_->hasStepped())
+        scale_.note(world_->sceneMs());
     if (pages_.page == Page::World)
         hintSeconds_ += input.seconds;
     if (world_->stream().hasRefused())
@@ -164,6 +168,20 @@ Result<void> Application::frameWorld() {
     if (world_->hasStepped())
         record();
     return {};
+}
+
+ScaleWish Application::scaleWanted() const {
+    return {options_.scale.value_or(settings_.scale.percent),
+            options_.frameRate.value_or(settings_.scale.frameRate)};
+}
+
+std::uint32_t Application::chooseScale(bool isHeld) {
+    return scale_.choose({.wish = scaleWanted(),
+                          .isSoftware = device_.capabilities().software,
+                          .displayRate = window_.displayRate(),
+                          .quality = world_->session().options().quality,
+                          .frameMs = frameSeconds_ * 1e3,
+                          .isHeld = isHeld});
 }
 
 std::string Application::noticeText() const {
@@ -183,7 +201,8 @@ void Application::drawOverlay() {
     overlay_.begin(uiScaleWanted(), page.usesPointer && !photo_); // keys move the camera in photo mode
     ui_.begin();
     if (world_ && !page.usesPointer)
-        world_->drawOverlay(ui_, overlay_, keys_.bindings);
+        if (const auto wish = world_->drawOverlay(ui_, overlay_, keys_.bindings, scale_.facts()))
+            takeScale(*wish);
     if (world_ && page.pausesWorld && !photo_)
         dimPicture();
     const LoadingFacts loading = this->loading();
@@ -200,6 +219,7 @@ void Application::drawOverlay() {
                            .version = options_.version,
                            .driver = world_ ? world_->session().driver() : std::string(),
                            .fontNote = overlay_.fontNote(),
+                           .scale = scale_.facts(),
                            .hasGamepad = window_.hasGamepad()};
     const PageChoice choice = drawnPages_.draw(ui_, facts);
     if (world_ && pages_.page == Page::Map)
@@ -222,12 +242,21 @@ void Application::take(const PageChoice& choice) {
         keepBindings(KeyBindings());
     if (choice.settings)
         takeNew(*choice.settings);
+    if (choice.scale)
+        takeScale(*choice.scale);
     if (choice.place && world_)
         world_->act({play::PlayActKind::Place, static_cast<double>(*choice.place)});
     if (choice.event)
         go(*choice.event);
     if (choice.opens)
         open(*choice.opens);
+}
+
+/// A choice in the window wins over the command line.
+void Application::takeScale(const ScaleWish& wish) {
+    settings_.scale = wish;
+    options_.scale.reset();
+    options_.frameRate.reset();
 }
 
 void Application::takeNew(const Settings& settings) {

@@ -30,6 +30,9 @@ struct ApplicationOptions {
     bool isFovFixed = false;       ///< the command line chose the field of view
     double step = 0.0;             ///< seconds of a frame; 0: measured
     std::optional<double> uiScale; ///< of the command line; none: that of the settings
+    /// Scale and frame rate of the command line; none: those of the settings.
+    std::optional<std::uint32_t> scale;
+    std::optional<double> frameRate;
     ViewerKeys keys;
     std::filesystem::path screenshots;  ///< directory of pictures
     std::filesystem::path record;       ///< file of the recorded walk; empty: none
@@ -74,6 +77,7 @@ public:
     [[nodiscard]] const KeyBindings& bindings() const { return keys_.bindings; }
     [[nodiscard]] const std::optional<Rebinding>& rebinding() const { return rebinding_; }
     [[nodiscard]] const Ui& ui() const { return ui_; }
+    [[nodiscard]] const ScaleFacts& scale() const { return scale_.facts(); }
     [[nodiscard]] double uiScale() const { return overlay_.scale(); }
     [[nodiscard]] double hint() const { return hintOpacity_; }
     [[nodiscard]] bool isCaptured() const { return window_.isCaptured(); }
@@ -90,6 +94,8 @@ private:
                                                       const std::optional<LastPlace>& last) const;
     [[nodiscard]] bool isFovFixed() const { return options_.isFovFixed; }
     [[nodiscard]] double uiScaleWanted() const { return options_.uiScale.value_or(settings_.uiScale); }
+
+    [[nodiscard]] ScaleWish scaleWanted() const;
 
     // Events of a frame.
     void takeKeys();
@@ -109,6 +115,7 @@ private:
     void noteLastPlace();
     [[nodiscard]] Result<void> frameWorld();
     [[nodiscard]] Result<void> framePhoto();
+    [[nodiscard]] std::uint32_t chooseScale(bool isHeld);
     void present();
     void beginRecording();
     void record();
@@ -121,6 +128,7 @@ private:
     void drawPhoto();
     void take(const PageChoice& choice);
     void takeNew(const Settings& settings);
+    void takeScale(const ScaleWish& wish);
     void keepSettings();
     void notice(std::string text);
 
@@ -137,6 +145,7 @@ private:
     std::unique_ptr<WorldView> world_;
     MapPage map_;
     bool isMapShown_ = false;
+    PictureScale scale_;
     std::unique_ptr<PhotoView> photo_; ///< in photo mode; refers to world_
     std::string directory_;            ///< of world_
     std::unique_ptr<WorldOpening> opening_;

@@ -16,9 +16,12 @@ Result<void> Application::framePhoto() {
     for (const KeyCode key : window_.pressedKeys())
         if (key == keyNamed("Enter"))
             photo_->take();
-    const Result<std::string> line = photo_->frame(input);
+    const bool isTaking = photo_->isBusy(); // its tiles are no part of the preview's time
+    const Result<std::string> line = photo_->frame(input, chooseScale(isTaking));
     if (!line)
         return tl::unexpected(line.error());
+    if (!isTaking)
+        scale_.note(photo_->sceneMs());
     if (!line->empty())
         notes_.push_back(*line);
     return {};

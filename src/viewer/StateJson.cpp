@@ -3,6 +3,7 @@
 #include "engine/report/IdTable.h"
 #include "output/FrameJson.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace limen::viewer {
@@ -63,6 +64,22 @@ nlohmann::ordered_json pageJson(const Application& application) {
                               ? nlohmann::ordered_json(factsOf(application.rebinding()->action).name)
                               : nlohmann::ordered_json(nullptr)},
             {"keys", nlohmann::ordered_json::parse(keyBindingsJson(application.bindings()))}};
+}
+
+nlohmann::ordered_json numberOrNull(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+/// The scale of the 3-D picture, and the times that decide it.
+nlohmann::ordered_json scaleJson(const ScaleFacts& scale, const WorldView& view) {
+    const engine::PixelSize drawn = view.drawn().size;
+    return {{"percent", scale.percent},
+            {"automatic", scale.wish.percent == 0},
+            {"drawn", {drawn.width, drawn.height}},
+            {"frame_rate", scale.frameRate},
+            {"scene_ms", numberOrNull(scale.sceneMs)},
+            {"scene_ms_median", numberOrNull(view.times().scene.median())},
+            {"frames_a_second", numberOrNull(1e3 / view.times().frame.median())}};
 }
 
 nlohmann::ordered_json worldJson(const WorldView& view) {
@@ -130,8 +147,10 @@ nlohmann::ordered_json photoJson(const PhotoView* photo) {
 std::string stateJson(const Application& application, std::size_t frames) {
     nlohmann::ordered_json json{{"frames", frames}};
     json.update(pageJson(application));
-    if (application.world() != nullptr && application.world()->session().frames() > 0)
+    if (application.world() != nullptr && application.world()->session().frames() > 0) {
         json.update(worldJson(*application.world()));
+        json["scale"] = scaleJson(application.scale(), *application.world());
+    }
     if (application.pages().page == Page::Map)
         json["map"] = mapJson(application.map());
     json["photo"] = photoJson(application.photo());

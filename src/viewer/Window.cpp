@@ -149,6 +149,7 @@ Window::Window(GLFWwindow* window) : window_(window) {
     cursorX_ = mouseX_;
     cursorY_ = mouseY_;
     takeSizes();
+    takeDisplayRate();
 }
 
 Window::~Window() {
@@ -163,7 +164,9 @@ void Window::receiveKey(int key) {
 
 /// Afterwards GLFW reports the release of all keys and buttons itself.
 void Window::receiveFocus(bool isHere) {
-    if (!isHere)
+    if (isHere)
+        takeDisplayRate();
+    else
         press_.reset(); // such a release is not a click
 }
 
@@ -347,6 +350,7 @@ void Window::switchFullScreen() {
         glfwSetWindowMonitor(window_, nullptr, framed_->x, framed_->y, framed_->width, framed_->height,
                              GLFW_DONT_CARE);
         framed_.reset();
+        takeDisplayRate();
         return;
     }
     Frame frame;
@@ -358,6 +362,17 @@ void Window::switchFullScreen() {
         return;
     framed_ = frame;
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    takeDisplayRate();
+}
+
+/// A question to the X server: not in every frame.
+void Window::takeDisplayRate() {
+    int x = 0, y = 0;
+    glfwGetWindowPos(window_, &x, &y);
+    GLFWmonitor* monitor = monitorOf(x + sizes_.width / 2, y + sizes_.height / 2);
+    const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode != nullptr && mode->refreshRate > 0 && !isLost_)
+        displayRate_ = mode->refreshRate;
 }
 
 void Window::setTitle(const std::string& title) {

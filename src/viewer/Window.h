@@ -66,6 +66,8 @@ public:
     /// Toggles full screen on the window's monitor.
     void switchFullScreen();
     [[nodiscard]] bool isFullScreen() const { return framed_.has_value(); }
+    /// Frames a second of the window's monitor when it was opened, focused or switched; 60 if it is unknown.
+    [[nodiscard]] double displayRate() const { return displayRate_; }
     void setTitle(const std::string& title);
     [[nodiscard]] GLFWwindow* handle() const { return window_; }
 
@@ -83,9 +85,11 @@ private:
     void pollGamepad();
     void pollMouse(bool mouseIsTaken);
     void takeSizes();
+    void takeDisplayRate();
     void setPointer();
     GLFWwindow* window_;
     WindowSizes sizes_;
+    double displayRate_ = 60.0;
     std::vector<KeyCode> pending_, keys_;
     std::vector<Action> pressed_;
     HeldInput held_;

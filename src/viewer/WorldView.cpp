@@ -14,15 +14,16 @@ namespace limen::viewer {
 namespace {
 
 /// The session options of `shot` that change pictures.
-std::string pictureOptions(const engine::SessionOptions& options) {
+std::string pictureOptions(const engine::Session& session) {
+    const engine::SessionOptions& options = session.options();
     const world::LoadOptions usual;
     std::string text;
     if (options.load.radius != usual.radius)
         text += fmt::format(" --radius {}", options.load.radius);
     if (options.load.detail != usual.detail)
         text += fmt::format(" --detail {}", options.load.detail);
-    if (options.samples > 1)
-        text += fmt::format(" --msaa {}", options.samples);
+    if (session.samples() > 1)
+        text += fmt::format(" --msaa {}", session.samples());
     return text;
 }
 
@@ -37,8 +38,9 @@ bool isSameView(const engine::FrameRequest& a, const engine::FrameRequest& b) {
 
 } // namespace
 
-void FrameWindows::add(double now, double frameMs, const engine::FrameFigures& figures) {
+void FrameWindows::add(double now, double frameMs, double sceneMs, const engine::FrameFigures& figures) {
     frame.add(now, frameMs);
+    scene.add(now, sceneMs);
     stages.resize(figures.stages.size());
     for (std::size_t i = 0; i < stages.size(); ++i) {
         stages[i].cpu.add(now, figures.stages[i].cpuMs);
@@ -51,8 +53,9 @@ WorldView::WorldView(gpu::GlDevice& device, OpenedWorld opened)
       play_(*session_, std::move(opened.start), &stream_) {}
 
 bool WorldView::needsFrame(const WorldInput& input) const {
-    return !input.isPaused || frames_ == 0 || !acts_.empty() || input.size != request().size || wantsCheck_ ||
-           !play_.goingTo().empty() || stream_.streamer().phase() != engine::Streamer::Phase::Idle;
+    return !input.isPaused || frames_ == 0 || input.percent != percent_ || !acts_.empty() ||
+           input.size != request().size || wantsCheck_ || !play_.goingTo().empty() ||
+           stream_.streamer().phase() != engine::Streamer::Phase::Idle;
 }
 
 Result<void> WorldView::frame(const WorldInput& input) {
@@ -62,6 +65,8 @@ Result<void> WorldView::frame(const WorldInput& input) {
         return {};
     if (Result<void> moved = play_.step(takeInput(input)); !moved)
         return moved;
+    percent_ = input.percent;
+    engine::scaleRequest(request(), percent_, drawn_);
     if (input.clicked) {
         if (Result<void> picked = pick(*input.clicked); !picked)
             return picked;
@@ -70,7 +75,7 @@ Result<void> WorldView::frame(const WorldInput& input) {
         if (Result<void> checked = check(); !checked)
             return checked;
     }
-    if (verdict_ && !isSameView(request(), checkedFrom_))
+    if (verdict_ && !isSameView(drawn_, checkedFrom_))
         verdict_.reset();
     if (Result<void> drawn = draw(); !drawn)
         return drawn;
@@ -78,7 +83,7 @@ Result<void> WorldView::frame(const WorldInput& input) {
         probed_ = probe_->see({frames_, request().scene.seconds, session_->part().world, request(),
                                session_->visible(), session_->plan(), session_->figures().glCalls});
     if (frames_++ > 0 && !input.isPaused) // the first time includes loading
-        times_.add(input.now, input.frameSeconds * 1e3, session_->figures());
+        times_.add(input.now, input.frameSeconds * 1e3, sceneMs_, session_->figures());
     return {};
 }
 
@@ -87,8 +92,10 @@ Result<void> WorldView::draw() {
     engine::DrawOptions options{.ids = switches_.ids || switches_.depth};
     if (pulse)
         options.highlights = std::span(&*pulse, 1);
-    if (Result<void> drawn = session_->draw(request(), options); !drawn)
-        return drawn;
+    const Result<double> sceneMs = drawTimed(*session_, drawn_, options);
+    if (!sceneMs)
+        return tl::unexpected(sceneMs.error());
+    sceneMs_ = *sceneMs;
     ids_ = switches_.ids ? session_->target().readIds() : std::vector<std::uint32_t>{};
     distances_ =
         switches_.depth ? session_->target().readDistances(session_->plan().constants) : std::vector<float>{};
@@ -180,7 +187,7 @@ Result<std::filesystem::path> WorldView::keepPicture(const std::filesystem::path
 
 std::string WorldView::commandOf(const engine::FrameRequest& request) const {
     return engine::reproduction(session_->part().world, request, session_->source().datOption) +
-           pictureOptions(session_->options());
+           pictureOptions(*session_);
 }
 
 void WorldView::freeze() {
@@ -235,11 +242,11 @@ Result<void> WorldView::check() {
         verdict_.reset();
         return {};
     }
-    Result<ViewVerdict> verdict = viewCheck_.check(*session_, request());
+    Result<ViewVerdict> verdict = viewCheck_.check(*session_, drawn_); // the pixels that are shown
     if (!verdict)
         return tl::unexpected(verdict.error());
     verdict_ = std::move(*verdict);
-    checkedFrom_ = request();
+    checkedFrom_ = drawn_;
     return {};
 }
 
@@ -269,7 +276,7 @@ void WorldView::take(const PanelChoice& choice) {
 }
 
 void WorldView::drawImages(Overlay& overlay, const PanelFacts& facts) const {
-    const engine::PixelSize size = facts.request.size;
+    const engine::PixelSize size = drawn_.size;
     if (facts.verdict != nullptr)
         overlay.drawOver(facts.verdict->picture, 190); // correct pixels stay visible, darkened
     else if (!facts.ids.empty())
@@ -278,7 +285,8 @@ void WorldView::drawImages(Overlay& overlay, const PanelFacts& facts) const {
         overlay.drawOver(output::pictureOfDistances(size.width, size.height, facts.distances), 255);
 }
 
-void WorldView::drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& bindings) {
+std::optional<ScaleWish> WorldView::drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& bindings,
+                                                const ScaleFacts& scale) {
     const std::optional<std::size_t> door = play_.doorInReach();
     const ResidencyMap blocks = switches_.panel ? residency() : ResidencyMap{};
     const PanelFacts facts{.world = session_->part().world,
@@ -296,6 +304,7 @@ void WorldView::drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& binding
                            .portals = portals_,
                            .residency = blocks,
                            .quality = session_->options().quality,
+                           .scale = scale,
                            .places = session_->source().file.places,
                            .ids = ids_,
                            .distances = distances_,
@@ -304,14 +313,17 @@ void WorldView::drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& binding
     panel::drawLines(facts, switches_);
     panel::drawDoor(facts);
     if (!switches_.panel)
-        return;
+        return std::nullopt;
     PanelChoice choice;
     choice.time = facts.request.scene.time;
     choice.dayGroup = facts.request.scene.dayGroup;
     choice.weather = facts.request.scene.weather;
     choice.doors = facts.request.scene.doors;
     choice.quality = facts.quality;
-    take(panel::drawPanel(ui, facts, choice));
+    choice.scale = scale.wish;
+    const PanelChoice made = panel::drawPanel(ui, facts, choice);
+    take(made);
+    return made.scale == scale.wish ? std::nullopt : std::make_optional(made.scale);
 }
 
 } // namespace limen::viewer

@@ -9,6 +9,7 @@
 #include "viewer/open/WorldOpening.h"
 #include "viewer/pages/Ui.h"
 #include "viewer/panel/PanelFacts.h"
+#include "viewer/scale/PictureScale.h"
 
 #include <filesystem>
 #include <optional>
@@ -21,7 +22,8 @@ namespace limen::viewer {
 /// The window's input to a world for one frame.
 struct WorldInput {
     HeldInput held;
-    engine::PixelSize size;
+    engine::PixelSize size;            ///< of the window
+    std::uint32_t percent = 100;       ///< of the window's pixels each way that are drawn
     std::optional<PixelPlace> clicked; ///< inspects the object there
     double seconds = 0.0;              ///< of the world, since the last frame
     double now = 0.0;                  ///< as Window::seconds
@@ -47,8 +49,10 @@ public:
     [[nodiscard]] bool hasStepped() const { return hasStepped_; }
     /// Copies the drawn frame to the window.
     void present();
-    /// Draws outlines, door hint and panel over the frame, and takes the panel's choices.
-    void drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& bindings);
+    /// Draws outlines, door hint and panel over the frame, and takes the panel's choices. Yields a choice of scale, which
+    /// belongs to the window.
+    std::optional<ScaleWish> drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& bindings,
+                                         const ScaleFacts& scale);
 
     /// Saves the frame without overlays, and the command that draws it again. Returns the absolute path.
     [[nodiscard]] Result<std::filesystem::path> keepPicture(const std::filesystem::path& directory);
@@ -58,7 +62,13 @@ public:
 
     /// The visibility changes of the last frame as JSON lines; empty unless the probe is on.
     [[nodiscard]] const std::string& probed() const { return probed_; }
+    /// The view in the window's size.
     [[nodiscard]] const engine::FrameRequest& request() const { return play_.request(); }
+    /// The same view in the size in which it was drawn.
+    [[nodiscard]] const engine::FrameRequest& drawn() const { return drawn_; }
+    /// As drawTimed, of the last frame.
+    [[nodiscard]] double sceneMs() const { return sceneMs_; }
+    [[nodiscard]] const FrameWindows& times() const { return times_; }
     [[nodiscard]] const play::PlayInput& input() const { return input_; }
     [[nodiscard]] engine::Session& session() { return *session_; }
     [[nodiscard]] const engine::Session& session() const { return *session_; }
@@ -91,6 +101,7 @@ private:
     Result<void> pick(const PixelPlace& place);
     /// Toggles the check of this view against the ray rule. The verdict is shown until the view changes.
     Result<void> check();
+    /// Draws `drawn_` and measures it.
     Result<void> draw();
     /// A pulsing yellow highlight of the picked object. Not for landscape, where an object is a whole block.
     [[nodiscard]] std::optional<frame::Highlight> selectionPulse() const;
@@ -103,6 +114,9 @@ private:
     engine::StreamedResidency stream_;
     play::Play play_;
     play::PlayInput input_;
+    engine::FrameRequest drawn_;
+    std::uint32_t percent_ = 100;
+    double sceneMs_ = 0.0;
     std::vector<play::PlayAct> acts_; ///< of the next frame
     OverlaySwitches switches_;
     std::optional<engine::Picked> picked_;

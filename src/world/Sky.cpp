@@ -62,29 +62,34 @@ double mixed(float a, float b, double f) {
     return static_cast<double>(a) + (static_cast<double>(b) - static_cast<double>(a)) * f;
 }
 
-/// Interpolates angles in degrees along the shorter arc.
-double mixedAngle(float a, float b, double f) {
-    const double turn = std::remainder(static_cast<double>(b) - static_cast<double>(a), 360.0);
-    return static_cast<double>(a) + turn * f;
-}
+constexpr float kDarkest = 0.2f;      ///< least brightness of ambient light
+constexpr double kNotPinned = -120.0; ///< z of weather without kAtViewer, global, metres
 
-Vec3f colourOf(dat::Colour colour) {
-    const auto channel = [&](int shift) { return static_cast<float>(colour.argb >> shift & 255u) / 255.0f; };
+// SkyObject::properties
+constexpr std::uint32_t kOverLand = 1, kWeather = 4, kAtViewer = 8;
+
+/// Mixes byte by byte, and cuts to bytes.
+Vec3f mixedColour(dat::Colour a, dat::Colour b, double f) {
+    const auto channel = [&](int shift) {
+        const double from = a.argb >> shift & 255u, to = b.argb >> shift & 255u;
+        return static_cast<float>(std::floor(from + (to - from) * f)) / 255.0f;
+    };
     return {channel(16), channel(8), channel(0)};
 }
 
-float asFraction(double value) {
-    return static_cast<float>(std::clamp(value > 1.0 ? value / 100.0 : value, 0.0, 1.0));
+/// A mixed value of two replacements, in hundredths. No value: one of them does not set it.
+template <class IsSet>
+std::optional<float> mixedHundredths(float from, float to, double f, const IsSet& isSet) {
+    if (!isSet(from) || !isSet(to))
+        return std::nullopt;
+    return static_cast<float>(std::clamp(mixed(from, to, f) / 100.0, 0.0, 1.0));
 }
 
 /// Degrees along the object's arc.
 double arcAngle(const dat::SkyObject& object, double t) {
-    const double begin = object.beginTime, end = object.endTime;
-    if (begin == end)
-        return object.beginAngle;
-    const double span = end > begin ? end - begin : 1.0 - begin + end;
-    const double passed = t >= begin ? t - begin : t + 1.0 - begin;
-    return mixed(object.beginAngle, object.endAngle, span > 1e-9 ? std::clamp(passed / span, 0.0, 1.0) : 0.0);
+    const double begin = object.beginTime, span = object.endTime - object.beginTime;
+    return mixed(object.beginAngle, object.endAngle,
+                 span > 1e-9 ? std::clamp((t - begin) / span, 0.0, 1.0) : 0.0);
 }
 
 const dat::SkyObjectReplace* replaceOf(const dat::SkyTimeOfDay* frame, std::uint32_t object) {
@@ -104,36 +109,76 @@ glm::mat3 rotationAbout(int axis, double radians) {
     return {Vec3f(c, 0.0f, -s), Vec3f(0.0f, 1.0f, 0.0f), Vec3f(s, 0.0f, c)};
 }
 
+/// Sets the values that both keyframes replace.
+void replaceValues(const dat::SkyObjectReplace* from, const dat::SkyObjectReplace* to, double f,
+                   SkyPlacement& out) {
+    if (from == nullptr || to == nullptr)
+        return;
+    const auto isPositive = [](float value) { return value > 0.0f; };
+    const auto isNotNegative = [](float value) { return value >= 0.0f; };
+    out.transparent = mixedHundredths(from->transparent, to->transparent, f, isNotNegative).value_or(0.0f);
+    out.luminosity = mixedHundredths(from->luminosity, to->luminosity, f, isPositive).value_or(0.0f);
+    out.diffuse = mixedHundredths(from->maxBright, to->maxBright, f, isPositive).value_or(1.0f);
+}
+
+/// From the eye to the origin of a sky object's model, upwards. Weather has a height of its own.
+float pinnedZ(const dat::SkyObject& object, double eyeZ) {
+    const bool hasOwn = (object.properties & kWeather) != 0 && (object.properties & kAtViewer) == 0;
+    return hasOwn ? static_cast<float>(kNotPinned - eyeZ) : 0.0f;
+}
+
+double lastTick(const Sky& sky, double time, double tickSeconds) {
+    const double day = sky.time.dayLength;
+    if (!(tickSeconds > 0.0) || !(day > tickSeconds))
+        return time;
+    constexpr double kRounding = 1e-9; // of a time that is a tick
+    return std::floor(time * day / tickSeconds + kRounding) * tickSeconds / day;
+}
+
 } // namespace
 
 SkyState skyAt(const Sky& sky, std::uint32_t dayGroup, double time) {
     SkyState state;
     const dat::DayGroup* group = groupOf(sky, dayGroup);
-    const Between at = group != nullptr ? keyframesAt(*group, fractionOf(time)) : Between();
-    if (at.from == nullptr)
+    if (group == nullptr)
         return state;
+    const Between at = keyframesAt(*group, fractionOf(time));
+    if (at.from == nullptr) {
+        state.sunDirection = glm::normalize(Vec3f(0.5f, 0.0f, 0.8f));
+        state.sunBright = glm::length(Vec3f(0.5f, 0.0f, 0.8f));
+        state.sunColour = Vec3f(state.sunBright);
+        state.ambient = Vec3f(0.3f);
+        return state;
+    }
     const dat::SkyTimeOfDay &a = *at.from, &b = *at.to;
-    const auto f = static_cast<float>(at.f);
-    const double pitch = mixedAngle(a.dirPitch, b.dirPitch, at.f) * kDegree;
-    const double heading = mixedAngle(a.dirHeading, b.dirHeading, at.f) * kDegree;
+    const double pitch = mixed(a.dirPitch, b.dirPitch, at.f) * kDegree;
+    const double heading = mixed(a.dirHeading, b.dirHeading, at.f) * kDegree;
     state.sunDirection = Vec3f(
-        Vec3(std::cos(pitch) * std::cos(heading), std::cos(pitch) * std::sin(heading), std::sin(pitch)));
-    state.sunColour = glm::mix(colourOf(a.dirColour) * a.dirBright, colourOf(b.dirColour) * b.dirBright, f);
-    state.ambient = glm::mix(colourOf(a.ambColour) * a.ambBright, colourOf(b.ambColour) * b.ambBright, f);
-    state.fogColour = glm::mix(colourOf(a.fogColour), colourOf(b.fogColour), f);
-    if (a.maxFog > 0.0f && b.maxFog > 0.0f) {
+        Vec3(std::sin(heading) * std::cos(pitch), std::cos(heading) * std::cos(pitch), std::sin(pitch)));
+    state.sunBright = static_cast<float>(mixed(a.dirBright, b.dirBright, at.f));
+    state.sunColour = mixedColour(a.dirColour, b.dirColour, at.f) * state.sunBright;
+    state.ambientColour = mixedColour(a.ambColour, b.ambColour, at.f);
+    state.ambient =
+        state.ambientColour * std::max(static_cast<float>(mixed(a.ambBright, b.ambBright, at.f)), kDarkest);
+    state.fogColour = mixedColour(a.fogColour, b.fogColour, at.f);
+    if (a.fogMode != 0 && b.fogMode != 0) {
         state.fogNear = static_cast<float>(mixed(a.minFog, b.minFog, at.f));
         state.fogFar = static_cast<float>(mixed(a.maxFog, b.maxFog, at.f));
     }
     return state;
 }
 
+double timeOfLight(const Sky& sky, double time) {
+    return lastTick(sky, time, sky.desc.lightTickSize);
+}
+
+double timeOfSky(const Sky& sky, double time) {
+    return lastTick(sky, time, sky.desc.tickSize);
+}
+
 bool isShown(const dat::SkyObject& object, double time) {
     const double t = fractionOf(time);
-    const double begin = object.beginTime, end = object.endTime;
-    if (begin == end)
-        return true;
-    return begin < end ? begin <= t && t <= end : t >= begin || t <= end;
+    return object.beginTime == object.endTime || (object.beginTime < t && t < object.endTime);
 }
 
 std::optional<std::uint32_t> dayGroupNamed(const dat::SkyDesc& sky, std::string_view text) {
@@ -154,38 +199,49 @@ std::optional<std::uint32_t> dayGroupNamed(const dat::SkyDesc& sky, std::string_
     return std::nullopt;
 }
 
-void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double seconds,
-                   std::vector<SkyPlacement>& out) {
+std::uint32_t rainyDayGroup(const dat::SkyDesc& sky, std::uint32_t dayGroup) {
+    const auto rains = [](const dat::DayGroup& group) {
+        return std::any_of(group.objects.begin(), group.objects.end(), [](const dat::SkyObject& object) {
+            return (object.properties & (kOverLand | kWeather)) == (kOverLand | kWeather) &&
+                   object.texVelocityY != 0.0f;
+        });
+    };
+    if (dayGroup < sky.dayGroups.size() && rains(sky.dayGroups[dayGroup]))
+        return dayGroup;
+    const auto found = std::find_if(sky.dayGroups.begin(), sky.dayGroups.end(), rains);
+    return found != sky.dayGroups.end() ? static_cast<std::uint32_t>(found - sky.dayGroups.begin())
+                                        : dayGroup;
+}
+
+void skyPlacements(const Sky& sky, const SkyView& view, std::vector<SkyPlacement>& out) {
     out.clear();
+    std::uint32_t dayGroup = view.dayGroup;
     const dat::DayGroup* group = groupOf(sky, dayGroup);
     if (group == nullptr)
         return;
-    const double t = fractionOf(time);
+    const double t = fractionOf(view.time);
     const Between at = keyframesAt(*group, t);
     for (std::uint32_t i = 0; i < sky.parts.size(); ++i) {
         const SkyPart& part = sky.parts[i];
-        if (part.dayGroup != dayGroup || !isShown(part.object, t))
+        if (part.dayGroup != dayGroup)
             continue;
         const dat::SkyObjectReplace* from = replaceOf(at.from, part.objectIndex);
-        if (part.replacement != (from != nullptr ? from->gfxObj : 0))
+        if (part.replacement != (from != nullptr ? from->gfxObj : 0) ||
+            (part.replacement == 0 && !isShown(part.object, t)))
             continue;
         SkyPlacement placement;
         placement.part = i;
-        double turn = 0.0;
-        if (from != nullptr) {
-            const dat::SkyObjectReplace* to = replaceOf(at.to, part.objectIndex);
-            to = to != nullptr ? to : from;
-            turn = mixedAngle(from->rotate, to->rotate, at.f);
-            placement.transparent = asFraction(mixed(from->transparent, to->transparent, at.f));
-            const double bright = mixed(from->luminosity, to->luminosity, at.f);
-            const double most = mixed(from->maxBright, to->maxBright, at.f);
-            placement.luminosity = bright > 0.0 ? asFraction(bright) : most > 0.0 ? asFraction(most) : 1.0f;
-        }
+        placement.isOverLand = (part.object.properties & kOverLand) != 0;
+        replaceValues(from, replaceOf(at.to, part.objectIndex), at.f, placement);
+        if (placement.transparent >= 1.0f || (placement.isOverLand && !view.isOutdoors))
+            continue;
+        const double turn = from != nullptr ? double{from->rotate} : 0.0;
         placement.rotation =
             rotationAbout(1, -arcAngle(part.object, t) * kDegree) * rotationAbout(2, -turn * kDegree);
+        placement.offset.z = pinnedZ(part.object, view.eyeZ);
         placement.uvOffset = {
-            static_cast<float>(std::fmod(static_cast<double>(part.object.texVelocityX) * seconds, 1.0)),
-            static_cast<float>(std::fmod(static_cast<double>(part.object.texVelocityY) * seconds, 1.0))};
+            static_cast<float>(std::fmod(static_cast<double>(part.object.texVelocityX) * view.seconds, 1.0)),
+            static_cast<float>(std::fmod(static_cast<double>(part.object.texVelocityY) * view.seconds, 1.0))};
         out.push_back(placement);
     }
 }

@@ -50,24 +50,36 @@ struct Sky {
 
 /// Light and fog at one time of day, interpolated between keyframes (docs/formats/sky_weather.md#keyframes).
 struct SkyState {
-    Vec3f sunDirection{0.0f, 0.0f, 1.0f}; ///< towards the light
-    Vec3f sunColour{0.0f};                ///< times brightness
-    Vec3f ambient{0.4f};
+    Vec3f sunDirection{12.0f / 13.0f, 0.0f, 5.0f / 13.0f}; ///< towards the light
+    Vec3f sunColour{1.3f};                                 ///< times brightness
+    float sunBright = 1.3f;
+    Vec3f ambient{0.4f}; ///< of the ground, times brightness
+    Vec3f ambientColour{1.0f};
     Vec3f fogColour{0.6f, 0.7f, 0.8f};
     float fogNear = 1e9f, fogFar = 2e9f; ///< metres; no fog by default
+
+    /// The ambient light of everything but the ground.
+    [[nodiscard]] Vec3f thingsAmbient() const { return ambient + 0.2f * sunBright * ambientColour; }
 };
 
 /// The state of one sky part at a time of day.
 struct SkyPlacement {
     std::uint32_t part = 0;   ///< index into Sky::parts
-    glm::mat3 rotation{1.0f}; ///< world from model, about the eye
+    glm::mat3 rotation{1.0f}; ///< world from model
+    Vec3f offset{0.0f};       ///< of the model's origin from the eye, metres
     float transparent = 0.0f; ///< 0 opaque .. 1 hidden
-    float luminosity = 1.0f;
+    float luminosity = 0.0f;  ///< emission of surfaces without one of their own
+    float diffuse = 1.0f;     ///< factor of the sun's light
+    bool isOverLand = false;  ///< drawn over everything outdoors, else behind it
     Vec2f uvOffset{0.0f};
 };
 
 /// The light at `time` (fraction of the day, 0..1) in day group `dayGroup` (clamped). Defaults without a sky.
 [[nodiscard]] SkyState skyAt(const Sky& sky, std::uint32_t dayGroup, double time);
+
+/// The time of the last update of the light, and of the sky's objects; fractions of the day.
+[[nodiscard]] double timeOfLight(const Sky& sky, double time);
+[[nodiscard]] double timeOfSky(const Sky& sky, double time);
 
 /// `time`: fraction of the day.
 [[nodiscard]] bool isShown(const dat::SkyObject& object, double time);
@@ -76,9 +88,19 @@ struct SkyPlacement {
 /// 0 is valid. No value: there is no such group.
 [[nodiscard]] std::optional<std::uint32_t> dayGroupNamed(const dat::SkyDesc& sky, std::string_view text);
 
-/// The sky parts that are shown at a time, in drawing order. `time`: fraction of the day; `seconds`: age of
-/// the world, which moves textures. `out` is overwritten and keeps its capacity.
-void skyPlacements(const Sky& sky, std::uint32_t dayGroup, double time, double seconds,
-                   std::vector<SkyPlacement>& out);
+/// `dayGroup` if it has rain over the land, else the first that has, else `dayGroup`.
+[[nodiscard]] std::uint32_t rainyDayGroup(const dat::SkyDesc& sky, std::uint32_t dayGroup);
+
+/// The viewer of a sky.
+struct SkyView {
+    std::uint32_t dayGroup = 0;
+    double time = 0.5;      ///< fraction of the day
+    double seconds = 0.0;   ///< age of the world, which moves textures
+    double eyeZ = 0.0;      ///< global, metres
+    bool isOutdoors = true; ///< the eye; else nothing is over the land
+};
+
+/// The sky parts that are shown, in drawing order. `out` is overwritten and keeps its capacity.
+void skyPlacements(const Sky& sky, const SkyView& view, std::vector<SkyPlacement>& out);
 
 } // namespace limen::world

@@ -55,8 +55,8 @@ struct Space {
     std::uint32_t firstInstance = 0, instanceCount = 0; ///< a run of World::spaceInstances: its members
     ZoneIndex zone = kNone;
     InstanceIndex shell = kNone; ///< the cell's own polygons; kNone for outside
-    std::uint32_t lightSet = 0;  ///< index into lightSets
-    bool seenOutside = false;    ///< the record's flag: the sun lights it, too
+    std::uint32_t lightSet = 0;  ///< index into lightSets: of objects without a set of their own
+    bool seenOutside = false;    ///< the record's flag: its ambient light is that of the sky
     bool ofBuilding = false; ///< reached from a building portal: may contain a position found without history
     Aabb bounds;             ///< global; of the shell's and the portals' vertices
     std::uint32_t firstBspNode = 0,
@@ -194,7 +194,6 @@ struct Material {
     std::uint32_t flags = 0;
     Vec4f colour{1.0f};      ///< white with a texture; alpha = 1 - translucency
     float luminosity = 0.0f; ///< emitted light, 0..1
-    float diffuse = 1.0f;
     dat::RecordId surface = 0;
     friend bool operator==(const Material&, const Material&) = default;
 };
@@ -216,19 +215,25 @@ struct TerrainCell {
     friend bool operator==(const TerrainCell&, const TerrainCell&) = default;
 };
 
+/// A lamp in a cell. Lamps outdoors light nothing.
 struct Light {
-    Vec3 position{0.0}; ///< global
-    Vec3f colour{1.0f}; ///< times intensity
-    float range = 0.0f; ///< metres
+    Vec3 position{0.0};     ///< global
+    Vec3f colour{1.0f};     ///< 0..1
+    float intensity = 1.0f; ///< factor of the colour
+    float falloff = 0.0f;   ///< metres; lamps reach a multiple of it
     friend bool operator==(const Light&, const Light&) = default;
 };
 
-/// The light of a space: shares of sky and sun, its own ambient, and the lamps that reach it.
+/// The lamps that light some instances, and the way they do (docs/formats/light.md#lamps).
 struct LightSet {
-    Vec3f ambient{0.0f};                          ///< added to `sky` times the sky's ambient
-    float sky = 1.0f;                             ///< share of the sky's ambient, 0..1
-    float sun = 1.0f;                             ///< share of the sun, 0..1
-    std::uint32_t firstLight = 0, lightCount = 0; ///< run of World::lights, at most 8, brightest first
+    enum class Kind : std::uint32_t {
+        Outdoors, ///< sun and sky, no lamps
+        Moving,   ///< of a cell: lamps that reach it. Each counts for the objects near it.
+        Thing,    ///< of a static object in cells: at most 8 lamps, the nearest first
+        Walls     ///< of a cell's shell: lamps are baked into its vertices
+    } kind = Kind::Outdoors;
+    bool sealed = false;                        ///< of cells that do not see the outside
+    std::uint32_t firstLamp = 0, lampCount = 0; ///< run of World::lampRefs
     friend bool operator==(const LightSet&, const LightSet&) = default;
 };
 
@@ -265,7 +270,10 @@ struct World {
     std::vector<TerrainCell> terrainCells;
     std::vector<std::shared_ptr<const Image>> textures; ///< never null; worlds of one cache share them
     std::vector<Light> lights;
+    std::vector<std::uint32_t> lampRefs; ///< indices into lights
     std::vector<LightSet> lightSets;
+    /// By instance: index into lightSets, in cells only; kNone, and beyond the end: that of its space.
+    std::vector<std::uint32_t> instanceLightSets;
     Sky sky;
 
     // Dynamic objects. Their parts are instances in the object's frame; DynamicState sets block, members and

@@ -95,7 +95,7 @@ TEST(Report, hasTheFieldsThatOtherToolsRead) {
     EXPECT_EQ(
         json["worst"][1]["command"],
         "limen shot --dat 'd' --eye=2,0.6666666666666666,-1e-09 --yaw=0.14285714285714285 --pitch=0 --fov=60 "
-        "--size=640x360 --root=0xA9B40105 --ids ids.npy");
+        "--size=640x360 --root=0xA9B40105 --day=0 --ids ids.npy");
 }
 
 TEST(Report, textNamesEveryCategoryAndTheCommands) {

@@ -348,9 +348,10 @@ TEST(Program, namesThePlacesItKnowsWhenOneIsUnknown) {
 
 TEST(Program, namesTheKindsOfDayItKnowsWhenOneIsUnknown) {
     const ProgramRunner runner;
-    expectRefusal(runner, {"shot", "--at", "hill", "--day", "dreary", "-o", "a.png"}, "Fair, Snow");
-    expectRefusal(runner, {"shot", "--at", "hill", "--day", "2", "-o", "a.png"}, "Fair, Snow");
-    expectRefusal(runner, {"check", "--views", "1", "--day", "dreary"}, "Fair, Snow");
+    expectRefusal(runner, {"shot", "--at", "hill", "--day", "dreary", "-o", "a.png"}, "Fair, Snow, Rain");
+    expectRefusal(runner, {"shot", "--at", "hill", "--day", "3", "-o", "a.png"}, "Fair, Snow, Rain");
+    expectRefusal(runner, {"shot", "--at", "hill", "--date", "116-13-1", "-o", "a.png"}, "Seedsow 24, 116");
+    expectRefusal(runner, {"check", "--views", "1", "--day", "dreary"}, "Fair, Snow, Rain");
 }
 
 TEST(Program, sayThereIsNoDisplayForTheWindow) {

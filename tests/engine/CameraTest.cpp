@@ -1,4 +1,5 @@
 #include "engine/Camera.h"
+#include "engine/FrameRequest.h"
 #include "play/FlyCamera.h"
 
 #include <cmath>
@@ -75,6 +76,32 @@ TEST(FlyCamera, fliesAlongItsSightAndNoFasterSlantwise) {
     input.fast = true;
     EXPECT_NEAR(glm::length(play::fly(camera, input).eye), play::kFlySpeed * play::kFlyFastFactor * 0.05,
                 1e-12);
+}
+
+TEST(Camera, aScaledSizeIsRoundedAndHasAPixel) {
+    EXPECT_EQ(scaledSize({1280, 720}, 100), (PixelSize{1280, 720}));
+    EXPECT_EQ(scaledSize({1280, 720}, 75), (PixelSize{960, 540}));
+    EXPECT_EQ(scaledSize({321, 181}, 50), (PixelSize{161, 91}));
+    EXPECT_EQ(scaledSize({1, 1}, 50), (PixelSize{1, 1}));
+}
+
+TEST(Camera, aScaledRequestHasTheSameViewToTheBit) {
+    FrameRequest request, scaled;
+    request.camera = {{1.5, 2.5, 3.5}, {37.0, -4.0}, 71.0};
+    request.size = {1279, 719};
+    for (std::uint32_t percent = 50; percent <= 100; ++percent) {
+        scaleRequest(request, percent, scaled);
+        EXPECT_EQ(scaled.size, scaledSize(request.size, percent));
+        const visibility::View whole = viewOf(request.camera, request.size, 0);
+        const visibility::View small = viewOf(scaled.camera, scaled.size, 0);
+        EXPECT_EQ(small.tanHalfX, whole.tanHalfX);
+        EXPECT_EQ(small.tanHalfY, whole.tanHalfY);
+        EXPECT_EQ(tracedCamera(scaled).tanHalfX, whole.tanHalfX);
+        EXPECT_EQ(tracedCamera(scaled).width, scaled.size.width);
+    }
+    scaleRequest(scaled, 50, scaled); // scaled twice, it keeps the first shape
+    EXPECT_EQ(viewOf(scaled.camera, scaled.size, 0).tanHalfX,
+              viewOf(request.camera, request.size, 0).tanHalfX);
 }
 
 TEST(FlyCamera, staysWithinItsLimits) {

@@ -85,7 +85,7 @@ TEST(FrameReport, reproductionNamesTheRoot) {
     request.scene.player = request.camera.eye;
     EXPECT_EQ(reproduction(smallWorld(), request, " --dat d"),
               "limen shot --dat d --eye=-1.25,2,0.1 --yaw=30 --pitch=-5 --fov=60 --size=1280x720 "
-              "--root=0xA9B40105");
+              "--root=0xA9B40105 --day=0");
     request.scene.player = {1, 2, 3};
     request.scene.seconds = 2.5;
     request.scene.doors = 0.5;

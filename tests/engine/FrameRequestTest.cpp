@@ -80,5 +80,27 @@ TEST(DynamicStateInput, case23_nothingButTheWeatherDependsOnThePlayer) {
     EXPECT_EQ(in.allDoors, out.allDoors);
 }
 
+TEST(FrameInputs, theViewersLightIsAboveTheBody_andNoneOutdoors) {
+    const HutWorld f;
+    EXPECT_EQ(frameInputs(f.world, f.eye(f.inside, f.inside)).view.viewerLight, f.inside);
+    EXPECT_EQ(frameInputs(f.world, f.eye(f.outside, f.outside)).view.viewerLight, std::nullopt);
+    EXPECT_EQ(frameInputs(f.world, f.eye(f.inside, f.outside)).view.viewerLight, std::nullopt);
+    FrameRequest eye = f.eye(f.outside, f.outside);
+    eye.scene.body = motion::PlayerBody{f.inside, 0.0, motion::locate(f.world, f.inside).space, 1.0};
+    EXPECT_EQ(frameInputs(f.world, eye).view.viewerLight, f.inside + Vec3(0, 0, 2));
+}
+
+TEST(FrameInputs, rainShowsADayWithRain) {
+    HutWorld f;
+    f.world.sky.desc.dayGroups.resize(3);
+    EXPECT_EQ(frameInputs(f.world, f.eye(f.outside, f.outside)).view.dayGroup, 0u) << "none has rain";
+    dat::SkyObject rain;
+    rain.properties = 5;
+    rain.texVelocityY = -2.0f;
+    f.world.sky.desc.dayGroups[2].objects = {rain};
+    EXPECT_EQ(frameInputs(f.world, f.eye(f.outside, f.outside)).view.dayGroup, 2u);
+    EXPECT_EQ(frameInputs(f.world, f.eye(f.outside, f.outside, Weather::Clear)).view.dayGroup, 0u);
+}
+
 } // namespace
 } // namespace limen::engine

@@ -1,5 +1,7 @@
 #include "engine/Quality.h"
 
+#include "engine/SessionOptions.h"
+
 #include <gtest/gtest.h>
 
 namespace limen::engine {
@@ -21,6 +23,9 @@ TEST(Quality, aHigherOneLacksNothingThatALowerOneHas) {
         EXPECT_GE(high.samples, low.samples);
         EXPECT_GT(high.anisotropy, low.anisotropy);
         EXPECT_GT(low.farRadius, low.radius);
+        EXPECT_GE(high.leastScale, low.leastScale);
+        EXPECT_GE(high.mostScale, low.mostScale);
+        EXPECT_GE(low.mostScale, low.leastScale);
     }
 }
 
@@ -31,6 +36,22 @@ TEST(Quality, leavesZonesAsTheyWere) {
     EXPECT_FALSE(now.mergeZones);
     EXPECT_EQ(now.radius, kQualities.front().radius);
     EXPECT_EQ(now.farRadius, kQualities.front().farRadius);
+}
+
+TEST(Quality, multisamplesOnACardOnlyUnlessTheOptionsSayASampleCount) {
+    gpu::Capabilities card, software;
+    software.software = true;
+    SessionOptions options;
+    EXPECT_EQ(samplesOn(card, options), 1u);
+    applyQuality(*qualityNamed("ultra"), options);
+    EXPECT_EQ(samplesOn(card, options), 4u);
+    EXPECT_EQ(samplesOn(software, options), 1u);
+    options.samples = 4;
+    EXPECT_EQ(samplesOn(software, options), 4u);
+    options.samples = 1;
+    EXPECT_EQ(samplesOn(card, options), 1u);
+    applyQuality(*qualityNamed("ultra"), options); // a level replaces the single options
+    EXPECT_EQ(samplesOn(card, options), 4u);
 }
 
 } // namespace

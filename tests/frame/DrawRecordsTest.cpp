@@ -5,9 +5,9 @@
 #include "world/LevelRange.h"
 #include "world/Lookup.h"
 
-#include <bit>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace limen::test {
 namespace {
@@ -84,38 +84,74 @@ TEST(DrawRecords, aReplacedInstanceHasTheOthersRecord) {
     EXPECT_EQ(records.of(0).look.y, 0u);
 }
 
-TEST(DrawRecords, lampsAreWhereTheLightsAre) {
+TEST(DrawRecords, haveTheLampsOfTheirLightSets) {
     Recorded source;
     PlannedWorld planned(source.rooms.world);
     frame::RecordTables tables = frame::tablesOf(frame::buildScene(planned.scene));
-    tables.lights.push_back({{1, 2, 3, 9}, {0.5f, 0.25f, 0.125f, std::bit_cast<float>(0u)}});
-    const frame::FramePlan& plan = planned.planFrom({92, 125, 1.6}, 180.0, world::kOutside);
-    std::vector<frame::gpu::Lamp> lamps(tables.lights.size());
-    frame::DrawRecords(tables, plan, {}).placeLamps(lamps);
-    const Vec3 expected = planned.world.blocks[0].origin() + Vec3(1, 2, 3) - planned.view.view.eye;
-    EXPECT_LT(glm::length(Vec3(lamps.back().position) - expected), 2e-5);
-    EXPECT_EQ(lamps.back().position.w, 9.0f);
-    EXPECT_EQ(lamps.back().colour.y, 0.25f);
-}
-
-TEST(DrawRecords, lampsLightOnlyWhatTheyReach) {
-    Recorded source;
-    PlannedWorld planned(source.rooms.world);
-    frame::RecordTables tables = frame::tablesOf(frame::buildScene(planned.scene));
-    ASSERT_EQ(tables.lampLit.size(), planned.world.instances.size());
-    tables.lights.push_back({{1, 2, 3, 9}, {1, 1, 1, std::bit_cast<float>(0u)}});
-    for (frame::gpu::LightSet& set : tables.lightSets)
-        set.lightCount = 1;
-    tables.lampLit.assign(tables.lampLit.size(), 0);
-    tables.lampLit[1] = 1;
     const frame::FramePlan& plan = planned.planFrom({92, 125, 1.6}, 180.0, world::kOutside);
     const frame::DrawRecords records(tables, plan, {});
-    EXPECT_FALSE(records.hasLamps(0));
-    EXPECT_EQ(records.of(0).look.w, 0u);
-    EXPECT_TRUE(records.hasLamps(1));
-    EXPECT_EQ(records.of(1).look.w, 1u);
-    tables.lampLit.clear();
-    EXPECT_TRUE(records.hasLamps(0)) << "unknown: any lamp may reach it";
+    const world::SpaceIndex cell = world::findCell(planned.world, source.rooms.world.id(source.rooms.first));
+    const world::InstanceIndex shell = planned.world.spaces[cell].shell;
+    EXPECT_FALSE(records.hasLamps(shell));
+    EXPECT_EQ(records.of(shell).members.w, frame::gpu::kLitWalls);
+    tables.lightSets[tables.members[tables.instances[shell].firstMember].lightSet].lampCount = 3;
+    EXPECT_TRUE(records.hasLamps(shell));
+    EXPECT_EQ(records.of(shell).look.w, 3u);
+}
+
+TEST(DrawRecords, haveSunAndSkyOutdoors_noSunInCells) {
+    Recorded source;
+    source.rooms.world.record(source.rooms.second).flags |= dat::EnvCell::kSeenOutside;
+    PlannedWorld planned(source.rooms.world);
+    const frame::RecordTables tables = frame::tablesOf(frame::buildScene(planned.scene));
+    frame::FramePlan plan = planned.planFrom({92, 125, 1.6}, 180.0, world::kOutside);
+    plan.constants.sunColour = {0.5f, 0.5f, 0.5f, 0};
+    plan.constants.landAmbient = {0.25f, 0, 0, 0};
+    plan.constants.skyAmbient = {0, 0.25f, 0, 0};
+    plan.constants.sealedAmbient = {0, 0, 0.25f, 0};
+    const frame::DrawRecords records(tables, plan, {});
+    std::set<std::tuple<world::InstanceKind, float, float, float, float>>
+        found; // ambient, and red of the sun
+    for (std::uint32_t i = 0; i < planned.world.instances.size(); ++i) {
+        const frame::gpu::DrawRecord record = records.of(i);
+        found.insert({planned.world.instances[i].kind, record.ambient.x, record.ambient.y, record.ambient.z,
+                      record.sun.x});
+    }
+    EXPECT_EQ(found.count({world::InstanceKind::Terrain, 0.25f, 0.0f, 0.0f, 0.5f}), 1u);
+    EXPECT_EQ(found.count({world::InstanceKind::Static, 0.0f, 0.25f, 0.0f, 0.5f}), 1u);
+    EXPECT_EQ(found.count({world::InstanceKind::Shell, 0.0f, 0.25f, 0.0f, 0.0f}), 1u) << "sees the outside";
+    EXPECT_EQ(found.count({world::InstanceKind::Shell, 0.0f, 0.0f, 0.25f, 0.0f}), 1u) << "sealed";
+    EXPECT_EQ(found.count({world::InstanceKind::Static, 0.0f, 0.25f, 0.0f, 0.0f}), 1u) << "a table there";
+    EXPECT_EQ(found.count({world::InstanceKind::Static, 0.0f, 0.0f, 0.25f, 0.0f}), 1u);
+    EXPECT_EQ(found.count({world::InstanceKind::Exterior, 0.0f, 0.25f, 0.0f, 0.5f}), 1u);
+}
+
+TEST(Planner, placesLampsAndLetsTheNearestFortyShine) {
+    Recorded source;
+    PlannedWorld planned(source.rooms.world);
+    const Vec3 eye(92, 125, 1.6);
+    static_cast<void>(planned.planFrom(eye, 180.0, world::kOutside));
+    for (int i = 0; i < 50; ++i)
+        planned.world.lights.push_back(
+            {planned.view.view.eye + Vec3(50.0 - i, 0, 0), Vec3f(1, 0.5f, 0), 3.0f, 9.0f});
+    planned.planner.plan(planned.view, planned.visible, planned.plan);
+    ASSERT_EQ(planned.plan.lamps.size(), 50u);
+    for (int i = 0; i < 50; ++i) {
+        const frame::gpu::Lamp& lamp = planned.plan.lamps[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(lamp.position.x, 50.0 - i, 1e-5);
+        EXPECT_EQ(lamp.position.w, 9.0f);
+        EXPECT_EQ(lamp.colour, Vec4f(1, 0.5f, 0, i < 10 ? 0.0f : 3.0f)) << i;
+    }
+}
+
+TEST(Planner, placesTheViewersLight) {
+    Recorded source;
+    PlannedWorld planned(source.rooms.world);
+    EXPECT_EQ(planned.planFrom({92, 125, 1.6}, 180.0, world::kOutside).constants.viewerLight.w, 0.0f);
+    planned.view.viewerLight = planned.view.view.eye + Vec3(1, 2, 3);
+    planned.planner.plan(planned.view, planned.visible, planned.plan);
+    EXPECT_EQ(planned.plan.constants.viewerLight, Vec4f(1, 2, 3, 2.25f));
+    EXPECT_EQ(planned.plan.constants.sealedAmbient, Vec4f(0.2f, 0.2f, 0.2f, 0));
 }
 
 /// Whether the shells of the rooms take the ownership test.

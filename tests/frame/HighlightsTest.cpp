@@ -49,7 +49,7 @@ TEST_F(HighlightsTest, replacesARecordByTheSameInAnotherColour) {
     EXPECT_EQ(record.highlight, kRed);
     EXPECT_EQ(record.idBase, planned.world.instances[table].idBase);
     EXPECT_EQ(frame::gpu::memberCountOf(record), 1u);
-    EXPECT_EQ(record.firstMember, first) << "the resident member of its space";
+    EXPECT_EQ(record.firstMember, planned.scene.records()[table].firstMember) << "the resident member";
     EXPECT_TRUE(plan.members.empty());
 }
 

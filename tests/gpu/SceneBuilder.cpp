@@ -23,8 +23,8 @@ SceneBuilder::SceneBuilder() {
     c.voidColour = {1, 0, 1, 1};
     plan.blocks.push_back({0, 0, 0, 0});
     plan.clipSets.push_back(keepAll());
+    c.landAmbient = c.skyAmbient = {1, 1, 1, 0};
     upload.lightSets.emplace_back();
-    upload.lightSets.back().ambient = {1, 1, 1, 0};
     addMaterial({1, 1, 1, 1});
 }
 
@@ -33,7 +33,6 @@ std::uint32_t SceneBuilder::addMaterial(const glm::vec4& colour, std::uint32_t t
     material.colour = colour;
     material.texture = texture;
     material.flags = flags;
-    material.diffuse = 1.0f;
     upload.materials.push_back(material);
     return static_cast<std::uint32_t>(upload.materials.size() - 1);
 }
@@ -103,7 +102,8 @@ void SceneBuilder::addWallWithOpening(std::uint32_t id, float outer, float half,
     addWall(id, {-half, half}, {half, outer}, y, options);
 }
 
-void SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material, float opacity) {
+layout::SkyInstance& SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material,
+                                          float opacity) {
     const std::uint32_t piece = addWall(0, min, max, y, {.material = material});
     draws_[frame::Program::Opaque].pop_back();
     sky_.emplace_back(piece, static_cast<std::uint32_t>(plan.skyInstances.size()));
@@ -115,6 +115,7 @@ void SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t m
     object.opacity = opacity;
     object.luminosity = 1.0f;
     plan.skyInstances.push_back(object);
+    return plan.skyInstances.back();
 }
 
 void SceneBuilder::drawAgain(std::uint32_t instance, frame::Program program, bool gated) {

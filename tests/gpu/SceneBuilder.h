@@ -53,8 +53,8 @@ public:
     /// A wall with a square opening of half-size `half` about x = z = 0; extends `outer` to each side.
     void addWallWithOpening(std::uint32_t id, float outer, float half, float y,
                             const QuadOptions& options = {});
-    /// A rectangle of the sky, relative to the eye.
-    void addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material, float opacity);
+    /// A rectangle of the sky, relative to the eye, with a luminosity of 1. Yields its record.
+    layout::SkyInstance& addSky(glm::vec2 min, glm::vec2 max, float y, std::uint32_t material, float opacity);
     /// Draws an instance once more with this program.
     void drawAgain(std::uint32_t instance, frame::Program program, bool gated);
 

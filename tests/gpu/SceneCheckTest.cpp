@@ -15,8 +15,9 @@ SceneBuilder goodScene() {
     const std::uint32_t texture = scene.addTexture(1, 1, {1, 2, 3, 4});
     scene.addWall('A', {-1, -1}, {1, 1}, 1, {.material = scene.addMaterial({1, 1, 1, 1}, texture)});
     scene.upload.terrainCells.resize(1);
-    scene.upload.lights.resize(2);
-    scene.upload.lightSets[0].lightCount = 2;
+    scene.upload.lamps = 2;
+    scene.upload.lampRefs = {1, 0};
+    scene.upload.lightSets[0].lampCount = 2;
     return scene;
 }
 
@@ -45,8 +46,9 @@ TEST(SceneCheck, eachInvalidIndexIsFound) {
              s.terrainCells[0].overlays[2] = {0, 7, 0, 1};
          }},
         {"terrain cell 0", [](Scene& s) { s.terrainCells[0].roads[1].texture = 7; }},
-        {"light set 0", [](Scene& s) { s.lightSets[0].firstLight = 1; }},
-        {"light set 0", [](Scene& s) { s.lights.resize(9), s.lightSets[0].lightCount = 9; }},
+        {"light set 0", [](Scene& s) { s.lightSets[0].firstLamp = 1; }},
+        {"light set 0", [](Scene& s) { s.lightSets[0].lampCount = 3; }},
+        {"lamp reference 0", [](Scene& s) { s.lampRefs[0] = 2; }},
         {"texture 0", [](Scene& s) { s.textures[0].height = 2; }},
         {"texture 0", [](Scene& s) { s.textures[0].width = 0; }}};
     for (const auto& [entry, damage] : faults) {

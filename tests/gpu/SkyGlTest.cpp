@@ -66,5 +66,39 @@ TEST_F(SkyGlTest, skyObjects_lieBehindEverythingAndOnlyOutside) {
     EXPECT_EQ(frame.at(0, 0), glm::ivec3(0));
 }
 
+TEST_F(SkyGlTest, skyObjects_areLitAsObjectsOutdoors) {
+    SceneBuilder scene = openAir();
+    scene.plan.constants.skyAmbient = {0.2f, 0, 0, 0};
+    scene.plan.constants.sunColour = {0, 0.8f, 0, 0};
+    scene.plan.constants.sunDirection = {0, -1, 0, 0}; // onto the front
+    const std::uint32_t white = scene.addMaterial({1, 1, 1, 1});
+    const std::uint32_t shining = scene.addMaterial({1, 1, 1, 1});
+    scene.upload.materials.back().luminosity = 0.2f;
+    for (const auto& [x, material] : {std::pair{-1.0f, white}, {0.0f, shining}}) {
+        layout::SkyInstance& object = scene.addSky({x, -1}, {x + 1, 1}, 1, material, 1.0f);
+        object.luminosity = 0.4f;
+        object.diffuse = 0.5f;
+    }
+    const Frame frame = render(scene, 2);
+    EXPECT_EQ(frame.at(0, 0), glm::ivec3(153, 204, 102));
+    EXPECT_EQ(frame.at(1, 0), glm::ivec3(102, 153, 51)) << "the material's luminosity replaces the object's";
+}
+
+TEST_F(SkyGlTest, weather_coversEverythingOutdoors) {
+    SceneBuilder scene;
+    scene.root(0);
+    scene.plan.constants.voidColour = {0, 0, 0, 1};
+    scene.visitThrough({0, -2}, {2, 2}, 2, 1, 0); // a house on the right
+    scene.addWall('A', {-1, -1}, {0, 1}, 0.5f, {.members = {{0, 0}}});
+    scene.addWall('B', {0, -9}, {9, 9}, 3, {.members = {{1, 0}}, .gated = true});
+    scene.addSky({-1, -1}, {1, 1}, 1, scene.addMaterial({0, 1, 0, 1}), 0.5f).overLand = 1;
+    const Frame frame = render(scene, 4);
+    EXPECT_THAT(frame.picture(), ElementsAre("AABB", "AABB", "AABB", "AABB"));
+    EXPECT_NEAR(frame.at(0, 0).x, 127.5, 1) << "before it";
+    EXPECT_EQ(frame.at(0, 0).y, 255);
+    EXPECT_EQ(frame.at(3, 0), glm::ivec3(255)) << "not in the house";
+    EXPECT_LT(frame.depth[0], 1.0f) << "weather has no depth";
+}
+
 } // namespace
 } // namespace limen::gpu::test

@@ -136,7 +136,7 @@ TEST(Weather, ofNoSensibleSizeItIsNotLookedForForEver) {
 TEST(Weather, fallsOnDaysAndAtHoursThatHaveIt) {
     Sky sky;
     sky.object.beginTime = 0.8f;
-    sky.object.endTime = 0.2f;
+    sky.object.endTime = 0.95f;
     Falling falling{std::move(sky)};
     const Vec3 eye(60, 60, 4);
     EXPECT_FALSE(falling.around(eye, world::SkyHour{1, 0.9}).empty());

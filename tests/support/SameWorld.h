@@ -34,7 +34,9 @@ namespace limen::test {
     LIMEN_SAME(materialRefs);
     LIMEN_SAME(terrainCells);
     LIMEN_SAME(lights);
+    LIMEN_SAME(lampRefs);
     LIMEN_SAME(lightSets);
+    LIMEN_SAME(instanceLightSets);
     LIMEN_SAME(movingParts);
     LIMEN_SAME(posedParts);
     LIMEN_SAME(cycles);

@@ -24,6 +24,16 @@ std::uint32_t TestWorld::solid(const std::string& name, std::uint32_t argb, std:
     return surfaces_[name] = nextSurface_++;
 }
 
+std::uint32_t TestWorld::luminous(const std::string& name, float luminosity, float diffuse,
+                                  std::uint32_t extraType) {
+    dat::Surface surface;
+    surface.type = dat::Surface::kBase1Solid | extraType;
+    surface.luminosity = luminosity;
+    surface.diffuse = diffuse;
+    portalFile_.add(nextSurface_, surface);
+    return surfaces_[name] = nextSurface_++;
+}
+
 std::uint32_t TestWorld::picture(const std::string& name, const dat::RenderSurface& image,
                                  std::uint32_t type) {
     dat::RenderSurface stored = image;

@@ -62,6 +62,7 @@ public:
     std::uint32_t solid(const std::string& name, std::uint32_t argb, std::uint32_t extraType = 0,
                         float translucency = 0);
     std::uint32_t picture(const std::string& name, const dat::RenderSurface& image, std::uint32_t type);
+    std::uint32_t luminous(const std::string& name, float luminosity, float diffuse, std::uint32_t extraType);
     [[nodiscard]] std::uint32_t surfaceId(const std::string& name);
 
     // --- cells

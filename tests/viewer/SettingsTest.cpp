@@ -14,6 +14,7 @@ Settings unusual() {
     settings.recent = {"/games/ac", "", "/tmp/other"};
     settings.lastPlaces["/games/ac"] = {"town", {1.5, -2.25, 3.0}, 90.0, -10.0, 0xA9B40100};
     settings.quality = "low";
+    settings.scale = {65, 45.0};
     settings.uiScale = 1.5;
     settings.mouse = MouseMode::Drag;
     settings.sensitivity = 2.0;
@@ -52,6 +53,21 @@ TEST(Settings, replaceAWrongValueByItsDefaultWithANote) {
     EXPECT_EQ(read->settings, expected);
     EXPECT_EQ(read->notes.size(), 4u);
     EXPECT_THAT(read->notes, testing::Contains(testing::HasSubstr("ui_scale: ignored")));
+}
+
+TEST(Settings, theScaleIsAPercentageOrAutomatic) {
+    const auto json = nlohmann::json::parse(settingsText(Settings(), ""));
+    EXPECT_EQ(json["scale"], "auto");
+    EXPECT_EQ(json["frame_rate"], "auto");
+    const Result<SettingsFile> read = parseSettings(R"({"scale": 70, "frame_rate": 60})");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->settings.scale, (ScaleWish{70, 60.0}));
+    for (const char* wrong : {R"({"scale": 49})", R"({"scale": "half"})", R"({"frame_rate": 0})"}) {
+        const Result<SettingsFile> ignored = parseSettings(wrong);
+        ASSERT_TRUE(ignored);
+        EXPECT_EQ(ignored->settings.scale, ScaleWish());
+        EXPECT_EQ(ignored->notes.size(), 1u) << wrong;
+    }
 }
 
 TEST(Settings, keepAFileThatIsNoJsonBesideTheNewOne) {

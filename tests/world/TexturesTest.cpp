@@ -208,6 +208,20 @@ TEST(Materials, followTheSurfacesBits) {
         << "split triangles come first among the blended ones, although not in the record";
 }
 
+TEST(Materials, shineByTheirLuminosity_whateverTheirFlags) {
+    test::TestWorld source;
+    using S = dat::Surface;
+    const auto plain = source.luminous("plain", 0.8f, 0.25f, 0);
+    const auto flagged = source.luminous("flagged", 0.8f, 0.25f, S::kLuminous | S::kDiffuse);
+    test::Walls walls = test::boxWalls({0, 0, 0}, {4, 4, 3});
+    walls[0].surface = "plain";
+    walls[1].surface = "flagged";
+    static_cast<void>(source.addCell(walls));
+    const World world = test::loadTestWorld(source);
+    EXPECT_EQ(materialOf(world, plain).luminosity, 0.8f);
+    EXPECT_EQ(materialOf(world, flagged).luminosity, 0.8f);
+}
+
 TEST(Materials, areSplitIfTheirPicturesAlphaAloneBlendsThem) {
     using S = dat::Surface;
     S surface;

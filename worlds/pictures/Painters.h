@@ -72,6 +72,7 @@ enum class BlendShape : std::uint8_t { Corner, Side, RoadCorner, RoadSide, RoadD
 inline constexpr double kHorizonV = 0.8;
 [[nodiscard]] Canvas paintDaySky();
 [[nodiscard]] Canvas paintSnowSky(); ///< overcast
+[[nodiscard]] Canvas paintRain();    ///< streaks that fall down v
 [[nodiscard]] Canvas paintNightSky();
 [[nodiscard]] Canvas paintDuskSky(); ///< alpha: strongest at the horizon
 [[nodiscard]] Canvas paintSun();     ///< alpha is the glow

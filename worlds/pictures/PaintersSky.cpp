@@ -62,10 +62,25 @@ Canvas paintSnowSky() {
     return Canvas::paint(256, 256, [](double u, double v) {
         const double t = descent(v);
         Vec3f colour =
-            mixColour(Vec3f(0.56f, 0.59f, 0.63f), Vec3f(0.76f, 0.78f, 0.80f), smoothStep(0.1, 1.0, t));
+            mixColour(Vec3f(0.42f, 0.45f, 0.49f), Vec3f(0.61f, 0.63f, 0.66f), smoothStep(0.1, 1.0, t));
         const double bulges = fbm(u, v, 6, 3, 5, 2061) * (1.0 - smoothStep(0.55, 0.95, t));
         return Vec4f(colour * static_cast<float>(1.0 + 0.16 * bulges), 1.0f);
     });
+}
+
+Canvas paintRain() {
+    constexpr std::uint32_t kSize = 256, kStreaks = 70;
+    Canvas canvas(kSize, kSize, Vec4f(0.86f, 0.90f, 0.96f, 0.0f));
+    for (std::uint32_t i = 0; i < kStreaks; ++i) {
+        const double x = 2.0 + random01(i, 1, 2071) * (kSize - 4.0);
+        const double length = 26.0 + 46.0 * random01(i, 2, 2071);
+        const double y = random01(i, 3, 2071) * kSize;
+        const auto strength = static_cast<float>(0.2 + 0.4 * random01(i, 4, 2071));
+        // Strokes continue at the other side: the picture repeats.
+        drawStroke(canvas,
+                   {Vec2(x, y), Vec2(x, y + length), 0.35, 0.7, Vec4f(0.86f, 0.90f, 0.96f, strength)});
+    }
+    return canvas;
 }
 
 Canvas paintSun() {

@@ -50,7 +50,7 @@ Recipe folkRecipe(Material material) {
     case Material::Glass:
         return {0.5, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     case Material::Snowflake: // bright from all sides
-        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha | S::kLuminous, 0.62f, 0.8f, 0.0f, 0};
+        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha | S::kLuminous, 0.62f, 1.0f, 0.0f, 0};
     case Material::Smoke:
         return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     case Material::Fire:
@@ -100,12 +100,20 @@ Recipe natureRecipe(Material material) {
         return glow(PixelFormat::R8G8B8, S::kTranslucent);
     case Material::SkyDusk:
         return glow(PixelFormat::A8R8G8B8, S::kAlpha);
+    case Material::Rain:
+        return {1.0,
+                PixelFormat::A8R8G8B8,
+                S::kBase1Image | S::kAlpha | S::kAdditive | S::kTranslucent,
+                0.148f,
+                1.0f,
+                0.5f,
+                0};
     case Material::Sun:
         return glow(PixelFormat::A8, S::kAdditive);
     case Material::Moon:
         return glow(PixelFormat::A8R8G8B8, S::kAlpha);
-    case Material::Clouds:
-        return glow(PixelFormat::A8R8G8B8, S::kAlpha);
+    case Material::Clouds: // lit by the sky
+        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     default:
         return folkRecipe(material);
     }
@@ -209,6 +217,8 @@ Canvas paintNature(Material material) {
         return paintDuskSky();
     case Material::SkySnow:
         return paintSnowSky();
+    case Material::Rain:
+        return paintRain();
     case Material::Sun:
         return paintSun();
     case Material::Moon:

@@ -51,6 +51,7 @@ enum class Material : std::uint8_t {
     Swirl,     ///< sprite, glows, additive
     Snowflake, ///< sprite, translucent
     SkySnow,   ///< a sky that is one cloud
+    Rain,      ///< streaks, additive
     Skin,      ///< solid colours from here on
     Hair,
     BlueCloth,

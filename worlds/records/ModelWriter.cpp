@@ -17,11 +17,14 @@ dat::SphereF toSphere(const Aabb& box) {
     return {Vec3f(box.centre()), static_cast<float>(0.5 * glm::length(box.max - box.min))};
 }
 
+/// Intensity of a lantern in a room of some 6 m.
+constexpr double kLantern = 3.5;
+
 dat::LightInfo toLight(const Lamp& lamp) {
     dat::LightInfo light;
     light.frame.origin = Vec3f(lamp.position);
     light.colour.argb = lamp.colour;
-    light.intensity = static_cast<float>(lamp.intensity);
+    light.intensity = static_cast<float>(kLantern * lamp.intensity);
     light.falloff = static_cast<float>(lamp.range);
     return light;
 }

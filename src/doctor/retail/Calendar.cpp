@@ -1,7 +1,7 @@
+#include "world/Calendar.h"
 #include "doctor/retail/Judges.h"
 
 #include <array>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,27 +10,6 @@ namespace {
 
 constexpr const char* kCalendarSource = "tests of two public clients";
 using Found = std::optional<Numbers>;
-
-/// A date: day of the year from 0, and the fraction of the day.
-struct Date {
-    double year = 0, day = 0, fraction = 0;
-};
-
-/// The date at a number of ticks (seconds) since the calendar began.
-Date dateAt(const dat::GameTime& time, double ticks) {
-    const double days = (ticks + time.zeroTimeOfYear) / time.dayLength;
-    const double day = std::floor(days);
-    const double years = std::floor(day / time.daysPerYear);
-    return {years + time.zeroYear, day - years * time.daysPerYear, days - day};
-}
-
-/// The day group of a day.
-double dayGroupOn(const dat::Region& region, std::uint32_t year, std::uint32_t day) {
-    const std::uint32_t mixed = (year * region.gameTime.daysPerYear + day) * 0x6A42FDB2u - 0x7541E9AEu;
-    const auto count = static_cast<float>(region.sky.dayGroups.size());
-    const float group = std::floor(static_cast<float>(mixed) * 2.3283064e-10f * count);
-    return group >= count ? 0.0 : group;
-}
 
 struct DateFact {
     double ticks, year, day, fraction;
@@ -87,8 +66,9 @@ void judgeCalendar(const dat::Archive& archive, Ledger& ledger) {
                            [&](const dat::Region& r) -> Found {
                                if (!(r.gameTime.dayLength > 0.0f) || r.gameTime.daysPerYear == 0)
                                    return std::nullopt;
-                               const Date date = dateAt(r.gameTime, fact.ticks);
-                               return Numbers{date.year, date.day, date.fraction};
+                               const world::DateTime at = world::dateTimeOf(r.gameTime, fact.ticks);
+                               return Numbers{static_cast<double>(at.date.year),
+                                              static_cast<double>(at.date.dayOfYear), at.time};
                            });
     for (const GroupFact& fact : kGroups)
         ledger.judgeRecord(
@@ -97,7 +77,8 @@ void judgeCalendar(const dat::Archive& archive, Ledger& ledger) {
             [&](const dat::Region& r) -> Found {
                 if (r.sky.dayGroups.empty())
                     return std::nullopt;
-                return Numbers{dayGroupOn(r, fact.year, fact.day)};
+                return Numbers{static_cast<double>(
+                    world::dayGroupOn({fact.year, fact.day}, r.gameTime, r.sky.dayGroups.size()))};
             });
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "gpu/DriverChoices.h"
 #include "gpu/device/Device.h"
 #include "visibility/VisibleSet.h"
 #include "world/World.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,9 @@ struct StageFigures {
 /// Figures of the last frame.
 struct FrameFigures {
     std::string driver;
-    std::string drawing;  ///< way of drawing: "exact", "fast" or "traced"
-    std::string textures; ///< "bindless" or "array pages"
+    std::string drawing;                       ///< way of drawing: "exact", "fast" or "traced"
+    std::string textures;                      ///< "bindless" or "array pages"
+    std::optional<gpu::DriverChoices> choices; ///< none: no driver drew
     std::vector<StageFigures> stages;
     std::uint32_t glCalls = 0;
     std::uint32_t ringStalls = 0; ///< so far: frames that waited for the GPU, plus growths of the ring

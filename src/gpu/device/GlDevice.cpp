@@ -260,4 +260,10 @@ Result<void> GlDevice::endFrame() {
     return {};
 }
 
+void GlDevice::presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height) {
+    const Target& from = *targets_[static_cast<std::size_t>(target)];
+    window_.show({from.shown().id(), from.shownColour().id(), from.width, from.height}, {0, width, height});
+    restoreState();
+}
+
 } // namespace limen::gpu

@@ -3,6 +3,7 @@
 #include "gpu/device/Device.h"
 #include "gpu/device/GlObjects.h"
 #include "gpu/device/StageTimers.h"
+#include "gpu/device/WindowPicture.h"
 
 #include <memory>
 
@@ -71,8 +72,8 @@ public:
     /// Restores all state that the device depends on. Between frames, after foreign code (the panel) used the
     /// context.
     void restoreState();
-    /// Copies the target's colour to the window's framebuffer, scaled to `width` x `height` pixels, and
-    /// leaves that framebuffer bound for later drawing. Between frames.
+    /// Shows the target's colour in the window's framebuffer of `width` x `height` pixels (WindowPicture), and
+    /// leaves that framebuffer bound for later drawing. Between frames; restores all state.
     void presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height);
 
 private:
@@ -84,6 +85,7 @@ private:
         Framebuffer resolvedPass;
         [[nodiscard]] bool isMultisampled() const { return !resolved.empty(); }
         // The framebuffer with the finished picture.
+        [[nodiscard]] const Texture& shownColour() const { return isMultisampled() ? resolved : colour; }
         [[nodiscard]] const Framebuffer& shown() const {
             return isMultisampled() ? resolvedPass : passes[static_cast<std::size_t>(Pass::SolidNoIds)];
         }
@@ -120,6 +122,7 @@ private:
     std::array<BufferHandle, 2> geometry_{BufferHandle::Invalid, BufferHandle::Invalid};
     StateTracker state_;
     StageTimers timers_;
+    WindowPicture window_;
 
     Buffer ring_;
     std::array<Texture, kFramesInFlight> ringTexels_; // by slot

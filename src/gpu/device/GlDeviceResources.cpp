@@ -393,14 +393,4 @@ DeviceObjects GlDevice::objects() const {
     return objects;
 }
 
-void GlDevice::presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height) {
-    const Target& from = *targets_[static_cast<std::size_t>(target)];
-    const auto size = [](std::uint32_t pixels) { return static_cast<GLint>(pixels); };
-    glNamedFramebufferReadBuffer(from.shown().id(), kFirstImage);
-    const bool isScaled = width != from.width || height != from.height;
-    glBlitNamedFramebuffer(from.shown().id(), 0, 0, 0, size(from.width), size(from.height), 0, 0, size(width),
-                           size(height), GL_COLOR_BUFFER_BIT, isScaled ? GL_LINEAR : GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-}
-
 } // namespace limen::gpu

@@ -85,8 +85,7 @@ ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVari
         vary("lamps", "LAMPS");
     if (variant.multisampled)
         vary("multisampled", "MULTISAMPLED");
-    if (fast && (variant.ids || variant.flat) && program != frame::Program::Ownership &&
-        program != frame::Program::SkyObjects)
+    if (fast && (variant.ids || variant.flat) && hasFlatVariant(program))
         vary("ids", "IDS");
     if (fast)
         source.defines.emplace_back("FAST");

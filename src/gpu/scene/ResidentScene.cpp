@@ -62,7 +62,7 @@ void ResidentScene::listArrays() {
         storage(layout::kBindTerrain, "terrain cells", bytesOf(scene_->terrainCells));
     }
     storage(layout::kBindLightSets, "light sets", bytesOf(scene_->lightSets));
-    storage(layout::kBindLights, "lights", bytesOf(scene_->lights));
+    storage(layout::kBindLampRefs, "lamp references", bytesOf(scene_->lampRefs));
     storage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs()));
     storage(layout::kBindLevels, "levels of detail", bytesOf(scene_->levels));
     storage(layout::kBindIndices, "indices", bytesOf(scene_->indices));

@@ -116,13 +116,16 @@ Result<void> checkTerrain(const SceneUpload& scene) {
 Result<void> checkLights(const SceneUpload& scene) {
     for (std::size_t i = 0; i < scene.lightSets.size(); ++i) {
         const layout::LightSet& set = scene.lightSets[i];
-        const std::uint64_t end = std::uint64_t{set.firstLight} + set.lightCount;
-        if (set.lightCount > layout::kMaxLights || end > scene.lights.size()) {
-            return broken("light set", i,
-                          fmt::format("has lamps {} to {} of {}; at most {} are allowed", set.firstLight, end,
-                                      scene.lights.size(), layout::kMaxLights));
-        }
+        const std::uint64_t end = std::uint64_t{set.firstLamp} + set.lampCount;
+        if (end > scene.lampRefs.size())
+            return broken(
+                "light set", i,
+                fmt::format("has lamp references {} to {} of {}", set.firstLamp, end, scene.lampRefs.size()));
     }
+    for (std::size_t i = 0; i < scene.lampRefs.size(); ++i)
+        if (scene.lampRefs[i] >= scene.lamps)
+            return broken("lamp reference", i,
+                          fmt::format("has lamp {} of {}", scene.lampRefs[i], scene.lamps));
     return {};
 }
 

@@ -1,5 +1,6 @@
 #include "gpu/scene/SceneStaging.h"
 
+#include "gpu/DriverChoices.h"
 #include "gpu/scene/SceneCheck.h"
 #include "gpu/scene/SharedVertices.h"
 
@@ -55,8 +56,8 @@ Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& 
         return tl::unexpected(textures.error());
     StagedScene staged;
     staged.bindings = bindingsOf(scene, *textures);
-    staged.packsTerrain = options.drawing == Drawing::Fast && staged.bindings.terrain.byIndex &&
-                          staged.bindings.terrain.pageCount > 0;
+    staged.packsTerrain =
+        driverChoices(options, capabilities).packsTerrain && staged.bindings.terrain.pageCount > 0;
     // Programs that can sample unneeded pages exist already; programs without them would have to be built.
     if (before.bindings && !textures->bindless && keepsPageNumbers(before.textures, *textures)) {
         include(before.bindings->meshes, staged.bindings.meshes);

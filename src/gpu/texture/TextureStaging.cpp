@@ -1,5 +1,7 @@
 #include "gpu/texture/TextureStaging.h"
 
+#include "gpu/DriverChoices.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -126,11 +128,13 @@ Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictu
         return fail(ErrorCode::Unsupported, capabilities.renderer,
                     "has no GL_ARB_bindless_texture; use --textures pages");
     }
-    const Filter filter =
-        capabilities.software ? Filter{1.0f, options.nearestLevel} : Filter{options.anisotropy, false};
+    RendererOptions renderer;
+    renderer.textures = options;
+    const DriverChoices choices = driverChoices(renderer, capabilities);
+    const Filter filter{choices.anisotropy, choices.nearestLevel};
     StagedTextures out;
-    out.bindless = options.mode != TextureMode::ArrayPages && capabilities.bindless;
-    out.byIndex = !out.bindless && options.pagesByIndex && capabilities.software;
+    out.bindless = choices.bindless;
+    out.byIndex = choices.pagesByIndex;
     if (out.bindless)
         stageHandles(pictures, filter, out);
     else if (Result<void> staged = stagePages(pictures, options, capabilities, filter, before, out); !staged)

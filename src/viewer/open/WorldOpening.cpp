@@ -25,7 +25,7 @@ std::size_t bytesOfUpload(const gpu::StagedScene& scene) {
     std::size_t bytes = size(arrays.vertices) + size(arrays.indices) + size(arrays.instances) +
                         size(arrays.members) + size(arrays.pieces) + size(arrays.materials) +
                         size(arrays.materialRefs) + size(arrays.terrainCells) + size(arrays.lightSets) +
-                        size(arrays.lights);
+                        size(arrays.lampRefs);
     for (const gpu::StagedTexture& texture : scene.textures.textures)
         for (const std::vector<gpu::MipLevel>& layer : texture.layers)
             for (const gpu::MipLevel& level : layer)

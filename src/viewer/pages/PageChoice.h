@@ -22,6 +22,7 @@ struct PageChoice {
     std::optional<std::string> opens; ///< the directory of a world to open; empty text: the built-in world
     std::optional<std::size_t> place; ///< index of the world's places
     std::optional<Settings> settings; ///< changed settings
+    std::optional<ScaleWish> scale;
     std::optional<Rebinding> rebinding;
     bool resetsKeys = false;
 

@@ -2,6 +2,7 @@
 
 #include "viewer/pages/PageChoice.h"
 #include "viewer/pages/Ui.h"
+#include "viewer/scale/PictureScale.h"
 #include "world/Places.h"
 
 #include <filesystem>
@@ -31,6 +32,7 @@ struct PagesFacts {
     std::span<const world::Place> places;                   ///< of the shown world
     std::string worldName;                                  ///< of the shown world; empty: none
     std::string version, driver, fontNote;                  ///< for the About page
+    const ScaleFacts& scale;
     bool hasGamepad = false;
 };
 

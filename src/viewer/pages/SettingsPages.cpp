@@ -1,5 +1,6 @@
 #include "engine/Quality.h"
 #include "viewer/pages/Pages.h"
+#include "viewer/scale/ScaleControls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,9 +114,17 @@ PageChoice drawGraphics(Ui& ui, const PagesFacts& facts) {
     Settings settings = facts.settings;
     beginPage(factsOf(Page::Graphics).title);
     beginSettings("graphics");
-    beginSetting("Quality", "Size of the loaded part of the world, and sampling. All levels draw the same "
+    beginSetting("Quality", "Size of the loaded part of the world, sampling, and limits of the automatic "
+                            "scale. All levels draw the same "
                             "surfaces; they differ in distance and smoothness.");
     chooseQuality(ui, settings);
+    ScaleWish scale = facts.scale.wish;
+    beginSetting("Scale",
+                 "Size of the 3-D picture before it is enlarged to the window. Letters and controls always "
+                 "have full size.");
+    chooseScale(ui, "scale", facts.scale, scale);
+    beginSetting("Frame rate", "The automatic scale makes the 3-D picture smaller to keep this rate.");
+    chooseFrameRate(ui, "frame rate", facts.scale, scale);
     beginSetting("Field of view", "Vertical angle of the picture.");
     slide(ui, "field of view", settings.fieldOfView, 30.0, 110.0, "%.0f degrees");
     beginSetting("Size of letters", "On top of the scale of your screen.");
@@ -127,6 +136,8 @@ PageChoice drawGraphics(Ui& ui, const PagesFacts& facts) {
         choice.back();
     if (settings != facts.settings)
         choice.settings = std::move(settings);
+    if (scale != facts.scale.wish)
+        choice.scale = scale;
     return choice;
 }
 

@@ -227,9 +227,31 @@ void drawFindings(std::span<const world::Finding> findings) {
         line(fmt::format("and {} more", findings.size() - kMost));
 }
 
+/// Lists the decisions that depend on the driver; the reason of each is its tooltip.
+void drawDriver(Ui& ui, const PanelFacts& facts) {
+    const bool isOpen = ImGui::CollapsingHeader("Driver");
+    ui.note("section Driver");
+    if (!isOpen)
+        return;
+    uiNote(facts.figures.driver);
+    if (!facts.figures.choices || !ImGui::BeginTable("choices", 2, ImGuiTableFlags_SizingFixedFit))
+        return;
+    for (const gpu::DriverChoice& choice : gpu::describe(*facts.figures.choices)) {
+        std::string name = choice.name;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        ImGui::TableNextColumn();
+        line(name);
+        uiHint(choice.reason);
+        ImGui::TableNextColumn();
+        line(choice.value);
+        uiHint(choice.reason);
+    }
+    ImGui::EndTable();
+}
+
 } // namespace
 
-void drawDeveloperPart(Ui&, const PanelFacts& facts) {
+void drawDeveloperPart(Ui& ui, const PanelFacts& facts) {
     drawFigures(facts);
     drawVerdict(facts.verdict);
     drawPicked(facts.picked);
@@ -237,11 +259,7 @@ void drawDeveloperPart(Ui&, const PanelFacts& facts) {
     drawPortalList(facts);
     drawResidency(facts.residency);
     drawFindings(facts.world.findings);
-    if (ImGui::CollapsingHeader("Driver")) {
-        uiText(facts.figures.driver);
-        uiText("drawing: " + facts.figures.drawing);
-        uiText(facts.figures.textures);
-    }
+    drawDriver(ui, facts);
 }
 
 } // namespace limen::viewer::panel

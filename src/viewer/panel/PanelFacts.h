@@ -10,6 +10,7 @@
 #include "viewer/inspect/ResidencyMap.h"
 #include "viewer/inspect/TimeWindow.h"
 #include "viewer/inspect/ViewCheck.h"
+#include "viewer/scale/PictureScale.h"
 #include "world/Places.h"
 
 #include <span>
@@ -27,9 +28,10 @@ struct StageWindows {
 };
 struct FrameWindows {
     TimeWindow frame;                 ///< from one frame to the next
+    TimeWindow scene;                 ///< 3-D work (drawTimed)
     std::vector<StageWindows> stages; ///< as FrameFigures::stages
 
-    void add(double now, double frameMs, const engine::FrameFigures& figures);
+    void add(double now, double frameMs, double sceneMs, const engine::FrameFigures& figures);
 };
 
 /// The input of the panel and of the drawings over the picture, for one frame.
@@ -49,6 +51,7 @@ struct PanelFacts {
     std::span<const PortalTrace> portals; ///< of the current or frozen flood; empty unless shown
     const ResidencyMap& residency;
     std::optional<std::size_t> quality; ///< of kQualities
+    const ScaleFacts& scale;
     std::span<const world::Place> places;
     std::span<const std::uint32_t> ids; ///< the id image; empty unless shown
     std::span<const float> distances;   ///< RenderTarget::readDistances; empty unless shown
@@ -63,6 +66,7 @@ struct PanelChoice {
     engine::Weather weather = engine::Weather::Clear;
     std::optional<double> doors;        ///< as in FrameRequest
     std::optional<std::size_t> quality; ///< of kQualities
+    ScaleWish scale;
 };
 
 } // namespace limen::viewer

@@ -1,5 +1,6 @@
 #include "engine/DayGroup.h"
 #include "viewer/panel/PanelParts.h"
+#include "viewer/scale/ScaleControls.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ void labelled(const char* label, const char* hint) {
 }
 
 void drawQuality(Ui& ui, PanelChoice& choice) {
-    labelled("Quality", "Size of the loaded part of the world, and sampling.");
+    labelled("Quality", "Size of the loaded part of the world, sampling, and limits of the automatic scale.");
     const char* name = choice.quality ? engine::kQualities[*choice.quality].name : "custom";
     const bool isOpen = ImGui::BeginCombo("##quality", name);
     ui.note("panel quality");
@@ -46,11 +47,12 @@ void drawDay(const dat::SkyDesc& sky, PanelChoice& choice) {
     ImGui::EndCombo();
 }
 
-void drawTime(Ui& ui, PanelChoice& choice) {
+void drawTime(Ui& ui, const dat::GameTime& calendar, PanelChoice& choice) {
     labelled("Time", "Time of day. T advances it by one hour.");
     float hours = static_cast<float>(choice.time * 24.0);
     const int minutes = static_cast<int>(std::lround(choice.time * 24.0 * 60.0)) % (24 * 60);
-    const std::string text = fmt::format("{:02}:{:02}", minutes / 60, minutes % 60);
+    const std::string text =
+        fmt::format("{:02}:{:02} {}", minutes / 60, minutes % 60, world::hourName(calendar, choice.time));
     if (ImGui::SliderFloat("##time", &hours, 0.0f, 24.0f, text.c_str()))
         choice.time = std::clamp(static_cast<double>(hours) / 24.0, 0.0, 1.0);
     ui.note("panel time");
@@ -125,7 +127,7 @@ void drawFrameTimes(const TimeWindow& frame) {
 }
 
 void drawPlayerPart(Ui& ui, const PanelFacts& facts, PanelChoice& choice) {
-    drawTime(ui, choice);
+    drawTime(ui, facts.world.sky.time, choice);
     drawDay(facts.world.sky.desc, choice);
     labelled("Weather", "R switches the rain.");
     bool rain = choice.weather == engine::Weather::Rain;
@@ -134,8 +136,13 @@ void drawPlayerPart(Ui& ui, const PanelFacts& facts, PanelChoice& choice) {
     drawDoors(ui, choice);
     drawPlaceList(ui, facts.places, choice);
     drawQuality(ui, choice);
+    labelled("Scale",
+             "Size of the 3-D picture before it is enlarged to the window. The automatic scale keeps the "
+             "frame rate.");
+    chooseScale(ui, "panel scale", facts.scale, choice.scale);
     ImGui::Spacing();
     drawFrameTimes(facts.times.frame);
+    uiNote(scaleText(facts.scale, facts.request.size));
 }
 
 PanelChoice drawPanel(Ui& ui, const PanelFacts& facts, PanelChoice choice) {

@@ -4,7 +4,7 @@
 
 namespace limen::viewer {
 
-Result<std::string> PhotoView::frame(const play::PlayInput& input) {
+Result<std::string> PhotoView::frame(const play::PlayInput& input, std::uint32_t percent) {
     window_ = input.size;
     std::string line;
     if (taker_.isBusy()) {
@@ -17,8 +17,11 @@ Result<std::string> PhotoView::frame(const play::PlayInput& input) {
     } else {
         mode_.move(session_.part().world, input);
     }
-    if (Result<void> drawn = session_.draw(mode_.preview(window_), {}); !drawn)
-        return tl::unexpected(drawn.error());
+    engine::scaleRequest(mode_.preview(window_), percent, drawn_);
+    const Result<double> sceneMs = drawTimed(session_, drawn_, {});
+    if (!sceneMs)
+        return tl::unexpected(sceneMs.error());
+    sceneMs_ = *sceneMs;
     return line;
 }
 
@@ -28,7 +31,7 @@ PhotoFacts PhotoView::facts(const std::string& takeKeys) const {
                      .picture = mode_.sizeIn(window_),
                      .dayGroups = {},
                      .hasBody = mode_.picture(window_).scene.body.has_value(),
-                     .samples = session_.options().samples,
+                     .samples = session_.samples(),
                      .progress = taker_.progress(),
                      .isBusy = taker_.isBusy(),
                      .saved = saved_,

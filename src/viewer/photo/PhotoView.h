@@ -2,6 +2,7 @@
 
 #include "viewer/photo/PhotoPage.h"
 #include "viewer/photo/PhotoTaker.h"
+#include "viewer/scale/PictureScale.h"
 
 #include <functional>
 
@@ -17,9 +18,12 @@ public:
     /// The command line that draws a frame again.
     using CommandOf = std::function<std::string(const engine::FrameRequest&)>;
 
-    /// Moves the camera, draws the next tile of a picture, and draws the preview into the session's target. Yields a line
-    /// for a person when a picture is saved or fails. Errors: the renderer's, for the preview.
-    [[nodiscard]] Result<std::string> frame(const play::PlayInput& input);
+    /// Moves the camera, draws the next tile of a picture, and draws the preview into the session's target, with
+    /// `percent` per cent of the window's pixels each way. Yields a line for a person when a picture is saved or fails.
+    /// Errors: the renderer's, for the preview.
+    [[nodiscard]] Result<std::string> frame(const play::PlayInput& input, std::uint32_t percent);
+    /// As drawTimed, of the last preview.
+    [[nodiscard]] double sceneMs() const { return sceneMs_; }
     /// Draws the controls. True: the user leaves.
     [[nodiscard]] bool drawOverlay(Ui& ui, const std::string& takeKeys,
                                    const std::filesystem::path& directory, const CommandOf& commandOf);
@@ -42,6 +46,8 @@ private:
     engine::PixelSize window_;
     std::string saved_, fault_; ///< full path of the last picture; the reason why there is none
     bool wantsPicture_ = false;
+    engine::FrameRequest drawn_; ///< the preview in the size in which it is drawn
+    double sceneMs_ = 0.0;
 };
 
 } // namespace limen::viewer

@@ -15,6 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 using SettingsJson = nlohmann::ordered_json;
 
+constexpr const char* kAutomatic = "auto";
+
 /// Reads values of one JSON object. A value that is not valid is noted and left out.
 class SettingsReader {
 public:
@@ -48,6 +50,19 @@ public:
             value = read;
         else
             ignore(key, expected);
+    }
+    /// A number, or the text "auto" for 0.
+    void automatic(const char* key, double least, double most, double& value) const {
+        const SettingsJson* found = find(key);
+        if (found == nullptr)
+            return;
+        const double read = found->is_number() ? found->get<double>() : std::nan("");
+        if (*found == kAutomatic)
+            value = 0.0;
+        else if (read >= least && read <= most)
+            value = read;
+        else
+            ignore(key, fmt::format("{} or a number from {} to {}", kAutomatic, least, most));
     }
     /// The object or list of a key; null if it is missing or of another type.
     [[nodiscard]] const SettingsJson* part(const char* key, bool isList) const {
@@ -112,6 +127,13 @@ void readWindow(const SettingsJson& json, Settings& settings, std::vector<std::s
     settings.height = static_cast<std::uint32_t>(height);
 }
 
+void readScale(const SettingsReader& reader, ScaleWish& wish) {
+    double percent = wish.percent;
+    reader.automatic("scale", kLeastScale, kFullScale, percent);
+    reader.automatic("frame_rate", kLeastRate, kMostRate, wish.frameRate);
+    wish.percent = static_cast<std::uint32_t>(percent);
+}
+
 SettingsJson placeJson(const LastPlace& place) {
     return {{"name", place.name}, {"x", place.eye.x},     {"y", place.eye.y},  {"z", place.eye.z},
             {"yaw", place.yaw},   {"pitch", place.pitch}, {"cell", place.cell}};
@@ -142,6 +164,7 @@ Result<SettingsFile> parseSettings(const std::string& text) {
         "quality", "low, medium, high, ultra or an empty text",
         [](const std::string& name) { return name.empty() || engine::qualityNamed(name).has_value(); },
         settings.quality);
+    readScale(reader, settings.scale);
     reader.number("ui_scale", 0.5, 4.0, settings.uiScale);
     std::string mouse = "capture";
     reader.text(
@@ -167,6 +190,10 @@ std::string settingsText(const Settings& settings, const std::string& fileText) 
     for (const auto& [world, place] : settings.lastPlaces)
         places[world] = placeJson(place);
     json["quality"] = settings.quality;
+    json["scale"] =
+        settings.scale.percent == 0 ? SettingsJson(kAutomatic) : SettingsJson(settings.scale.percent);
+    json["frame_rate"] =
+        settings.scale.frameRate == 0.0 ? SettingsJson(kAutomatic) : SettingsJson(settings.scale.frameRate);
     json["ui_scale"] = settings.uiScale;
     json["mouse"] = settings.mouse == MouseMode::Drag ? "drag" : "capture";
     json["mouse_sensitivity"] = settings.sensitivity;

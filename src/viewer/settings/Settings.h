@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "dat/Ids.h"
 #include "geometry/Vec.h"
+#include "viewer/scale/ScaleWish.h"
 
 #include <filesystem>
 #include <map>
@@ -33,6 +34,7 @@ struct Settings {
     std::vector<std::string> recent; ///< directories of worlds, the latest first
     std::map<std::string, LastPlace> lastPlaces;
     std::string quality;  ///< a name of engine::kQualities; empty: the program's own choice
+    ScaleWish scale;      ///< of the 3-D picture
     double uiScale = 1.0; ///< 0.5..4, on top of the screen's own scale
     MouseMode mouse = MouseMode::Capture;
     double sensitivity = 1.0;   ///< 0.1..5, factor on the turn per pixel

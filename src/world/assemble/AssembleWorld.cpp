@@ -74,7 +74,7 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
     findAlone(world);
     listInstances(world);
     numberPolygons(world);
-    lightSpaces(objects.lamps(), world);
+    lightWorld(objects.lamps(), objects.groups(), world);
     if (sky != nullptr) {
         world.sky.desc = sky->sky;
         world.sky.time = sky->gameTime;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "world/World.h"
+#include "world/assemble/Members.h"
 
 namespace limen::world {
 
@@ -10,10 +10,9 @@ struct PlacedLamp {
     SpaceIndex placedIn = kOutside;
 };
 
-/// Adds a light set for every space. Cells that see outside get part of the sky's light and little of the
-/// sun's, because the sun casts no shadows and would shine through walls. Other cells get a dim ambient. A
-/// lamp lights a cell if its range reaches it through portals and its rays arrive there in a straight line;
-/// each cell takes its eight strongest lamps. Lamps in cells do not light the outside.
-void lightSpaces(std::span<const PlacedLamp> lamps, World& world);
+/// Adds the lamps in cells, and light sets for every space, for every cell's shell and for static objects in
+/// cells (docs/formats/light.md#lamps). A lamp lights the cells that are connected with its own by portals
+/// between cells, through walls. Requires members of the instances.
+void lightWorld(std::span<const PlacedLamp> lamps, std::span<const ObjectGroup> objects, World& world);
 
 } // namespace limen::world

@@ -34,8 +34,8 @@ void ObjectAssembler::addObject(const PlacedModel& object, const JoiningBlock& b
         addStatic(object, model, placedSphere(model.bounds, linear, origin), block);
     particles_.addToObject(object, idle, block);
     for (const ModelLight& light : model.lights)
-        lamps_.push_back(
-            {{origin + linear * light.position, light.colour, light.range}, block.spaceOf(object.cell)});
+        lamps_.push_back({{origin + linear * light.position, light.colour, light.intensity, light.falloff},
+                          block.spaceOf(object.cell)});
 }
 
 void ObjectAssembler::addStatic(const PlacedModel& object, const Model& model, const Sphere& bounds,

@@ -42,7 +42,7 @@ std::vector<ModelLight> lightsOf(const dat::Setup& setup) {
         const std::uint32_t argb = info.colour.argb;
         const Vec3f colour(static_cast<float>(argb >> 16 & 255u), static_cast<float>(argb >> 8 & 255u),
                            static_cast<float>(argb & 255u));
-        lights.push_back({poseOf(info.frame).origin, colour / 255.0f * info.intensity, info.falloff});
+        lights.push_back({poseOf(info.frame).origin, colour / 255.0f, info.intensity, info.falloff});
     }
     return lights;
 }

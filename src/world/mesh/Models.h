@@ -38,8 +38,9 @@ struct ModelPart {
 
 struct ModelLight {
     Vec3 position{0.0}; ///< object space
-    Vec3f colour{1.0f}; ///< times intensity
-    float range = 0.0f; ///< metres
+    Vec3f colour{1.0f}; ///< 0..1
+    float intensity = 1.0f;
+    float falloff = 0.0f; ///< metres
 };
 
 /// A GfxObj or a Setup in its resting pose (docs/formats/geometry.md#setup).

@@ -75,9 +75,7 @@ std::uint32_t Materials::material(dat::RecordId id, bool clamp, std::span<const 
     }
     material.surfaceClass = surfaceClassOf(*surface);
     material.flags = flagsOf(*surface, clamp);
-    material.luminosity =
-        (surface->type & dat::Surface::kLuminous) != 0 ? fraction(surface->luminosity) : 0.0f;
-    material.diffuse = (surface->type & dat::Surface::kDiffuse) != 0 ? fraction(surface->diffuse) : 1.0f;
+    material.luminosity = fraction(surface->luminosity); // kLuminous and the diffuse value have no effect
     material.colour = colourOf(surface->hasImage() ? 0xFFFFFFu : surface->colour.argb, alphaOf(*surface));
     if (surface->hasImage())
         material.texture =

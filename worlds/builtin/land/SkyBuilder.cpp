@@ -15,7 +15,10 @@ constexpr double kSunTilt = 32.0 * std::numbers::pi / 180.0;
 constexpr double kSunrise = 0.25, kSunset = 0.75;
 
 /// Indices into the day group's objects.
-enum class SkyPiece : std::uint32_t { Night, Day, Dusk, Sun, Moon, Clouds, Count };
+enum class SkyPiece : std::uint32_t { Night, Day, Dusk, Sun, EveningMoon, MorningMoon, Clouds, Count };
+
+// SkyObject::properties
+constexpr std::uint32_t kOverLand = 1, kWeather = 4, kAtViewer = 8;
 
 /// A dome seen from inside: u goes around, v from the zenith (0) past the horizon (kHorizonV) to 22.5° below
 /// it (1).
@@ -58,7 +61,7 @@ FaceMesh disc(Material material, double half, double tilt) {
     return mesh;
 }
 
-/// A shallow bowl overhead for the clouds.
+/// A shallow bowl overhead for the clouds. Its rim is below the horizon.
 FaceMesh cloudBowl() {
     constexpr int kAround = 20;
     constexpr int kRings = 6;
@@ -66,7 +69,7 @@ FaceMesh cloudBowl() {
     const auto at = [](int ring, int k) {
         const double t = static_cast<double>(ring) / kRings;
         const double a = 2.0 * std::numbers::pi * (k % kAround) / kAround;
-        return Vec3(kRadius * t * std::cos(a), kRadius * t * std::sin(a), 240.0 * (1.0 - t * t) + 6.0);
+        return Vec3(kRadius * t * std::cos(a), kRadius * t * std::sin(a), 240.0 - 400.0 * t * t);
     };
     const auto uv = [&](int ring, int k) { return Vec2(at(ring, k)) / 560.0; };
     for (int ring = 0; ring < kRings; ++ring) {
@@ -85,6 +88,29 @@ FaceMesh cloudBowl() {
     return mesh;
 }
 
+/// Rain around the eye: eight faces that lean together above it. `radius`: at the height of the eye, metres.
+FaceMesh rainSheet(double radius) {
+    constexpr int kFaces = 8;
+    constexpr double kLow = -1.2, kHigh = 2.4,
+                     kLean = 0.28; // of the radius; the lean: for each unit of height
+    FaceMesh mesh;
+    const auto at = [radius](int k, double height) {
+        const double a = 2.0 * std::numbers::pi * (k % kFaces) / kFaces;
+        const double r = radius * (1.0 - kLean * height);
+        return Vec3(r * std::cos(a), r * std::sin(a), radius * height);
+    };
+    for (int k = 0; k < kFaces; ++k) {
+        Face face;
+        face.material = Material::Rain;
+        face.points = {at(k + 1, kLow), at(k, kLow), at(k, kHigh), at(k + 1, kHigh)};
+        const double rows = kHigh - kLow;
+        face.uvs = {Vec2(2.0 * k + 2.0, rows), Vec2(2.0 * k, rows), Vec2(2.0 * k, 0.0),
+                    Vec2(2.0 * k + 2.0, 0.0)};
+        mesh.add(std::move(face));
+    }
+    return mesh;
+}
+
 dat::SkyObject skyObject(dat::RecordId mesh, double begin, double end, double fromAngle, double toAngle,
                          std::uint32_t properties) {
     dat::SkyObject object;
@@ -97,7 +123,7 @@ dat::SkyObject skyObject(dat::RecordId mesh, double begin, double end, double fr
     return object;
 }
 
-/// A time of day: its light and the opacity of each dome (0..1).
+/// A time of day: its light, the opacity of each dome (0..1), and the clouds' own light in hundredths.
 struct SkyKeyframe {
     double time = 0.0;
     double sun = 0.0;
@@ -106,23 +132,24 @@ struct SkyKeyframe {
     std::uint32_t ambientColour = 0xFFFFFFFF;
     std::uint32_t fogColour = 0xFF000000;
     double day = 0.0, dusk = 0.0, clouds = 0.0;
+    float cloudLight = 0.0f;
 };
 
 constexpr std::array kStates{
-    SkyKeyframe{0.00, 0.30, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
-    SkyKeyframe{0.19, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10},
-    SkyKeyframe{0.235, 0.00, 0xFFFF9050, 0.80, 0xFF5A5570, 0xFF564A58, 0.25, 0.75, 0.35},
-    SkyKeyframe{0.27, 0.45, 0xFFFFA060, 0.72, 0xFF77707F, 0xFFB08C80, 0.60, 0.90, 0.70},
-    SkyKeyframe{0.31, 0.66, 0xFFFFCF98, 0.64, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.85},
-    SkyKeyframe{0.37, 0.78, 0xFFFFE6C4, 0.70, 0xFF8C9AB2, 0xFFC3D2DC, 1.00, 0.00, 0.90},
-    SkyKeyframe{0.43, 0.82, 0xFFFFF0DC, 0.72, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
-    SkyKeyframe{0.50, 0.84, 0xFFFFF4E4, 0.74, 0xFF909EB4, 0xFFC8D8E2, 1.00, 0.00, 0.90},
-    SkyKeyframe{0.57, 0.82, 0xFFFFF0DC, 0.72, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90},
-    SkyKeyframe{0.63, 0.78, 0xFFFFE4C0, 0.70, 0xFF8C98B0, 0xFFC6D0D6, 1.00, 0.00, 0.90},
-    SkyKeyframe{0.69, 0.64, 0xFFFFC88C, 0.62, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.85},
-    SkyKeyframe{0.73, 0.45, 0xFFFF9455, 0.70, 0xFF74697A, 0xFFB08472, 0.60, 0.95, 0.70},
-    SkyKeyframe{0.765, 0.00, 0xFFFF7848, 0.80, 0xFF564F6C, 0xFF54465A, 0.22, 0.75, 0.35},
-    SkyKeyframe{0.81, 0.24, 0xFF9FB4E0, 0.70, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.10}};
+    SkyKeyframe{0.00, 0.30, 0xFF9FB4E0, 0.62, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.98, 1},
+    SkyKeyframe{0.19, 0.24, 0xFF9FB4E0, 0.62, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.98, 1},
+    SkyKeyframe{0.235, 0.05, 0xFFFF9050, 1.15, 0xFF76728E, 0xFF564A58, 0.25, 0.75, 0.80, 8},
+    SkyKeyframe{0.27, 0.55, 0xFFFFA060, 1.20, 0xFF8E8692, 0xFFB08C80, 0.60, 0.90, 0.85, 30},
+    SkyKeyframe{0.31, 0.66, 0xFFFFCF98, 0.95, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.90, 45},
+    SkyKeyframe{0.37, 0.80, 0xFFFFE6C4, 0.86, 0xFF8C9AB2, 0xFFC3D2DC, 1.00, 0.00, 0.90, 50},
+    SkyKeyframe{0.43, 0.86, 0xFFFFF0DC, 0.86, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90, 50},
+    SkyKeyframe{0.50, 0.88, 0xFFFFF4E4, 0.86, 0xFF909EB4, 0xFFC8D8E2, 1.00, 0.00, 0.90, 50},
+    SkyKeyframe{0.57, 0.86, 0xFFFFF0DC, 0.86, 0xFF8E9CB4, 0xFFC6D6E0, 1.00, 0.00, 0.90, 50},
+    SkyKeyframe{0.63, 0.80, 0xFFFFE4C0, 0.86, 0xFF8C98B0, 0xFFC6D0D6, 1.00, 0.00, 0.90, 50},
+    SkyKeyframe{0.69, 0.64, 0xFFFFC88C, 0.95, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.90, 45},
+    SkyKeyframe{0.73, 0.55, 0xFFFF9455, 1.20, 0xFF8C828E, 0xFFB08472, 0.60, 0.95, 0.85, 30},
+    SkyKeyframe{0.765, 0.05, 0xFFFF7848, 1.15, 0xFF726B8A, 0xFF54465A, 0.22, 0.75, 0.80, 8},
+    SkyKeyframe{0.81, 0.24, 0xFF9FB4E0, 0.62, 0xFF3C4666, 0xFF10141F, 0.00, 0.00, 0.98, 1}};
 
 /// The direction to the sun (by day) or the moon (by night).
 Vec3 lightDirection(double time) {
@@ -140,7 +167,7 @@ dat::SkyTimeOfDay keyframe(const SkyKeyframe& m, dat::RecordId lowSun) {
     const Vec3 towards = lightDirection(m.time);
     key.begin = static_cast<float>(m.time);
     key.dirBright = static_cast<float>(m.sun);
-    key.dirHeading = static_cast<float>(std::atan2(towards.y, towards.x) * 180.0 / std::numbers::pi);
+    key.dirHeading = static_cast<float>(std::atan2(towards.x, towards.y) * 180.0 / std::numbers::pi);
     key.dirPitch = static_cast<float>(std::asin(towards.z) * 180.0 / std::numbers::pi);
     key.dirColour.argb = m.sunColour;
     key.ambBright = static_cast<float>(m.ambient);
@@ -149,47 +176,72 @@ dat::SkyTimeOfDay keyframe(const SkyKeyframe& m, dat::RecordId lowSun) {
     key.maxFog = 1100.0f;
     key.fogColour.argb = m.fogColour;
     key.fogMode = 3;
-    const auto replace = [&key](SkyPiece piece, double shown) {
+    const auto replace = [&key](SkyPiece piece, double shown, float light) {
+        constexpr float kNotSet = -1.0f;
         dat::SkyObjectReplace r;
         r.objectIndex = static_cast<std::uint32_t>(piece);
-        r.transparent = static_cast<float>(1.0 - shown);
-        r.luminosity = 1.0f;
-        r.maxBright = 1.0f;
+        r.transparent = static_cast<float>(100.0 * (1.0 - shown));
+        r.luminosity = r.maxBright = light > 0.0f ? light : kNotSet;
         key.replaces.push_back(r);
     };
-    replace(SkyPiece::Day, m.day);
-    replace(SkyPiece::Dusk, m.dusk);
-    replace(SkyPiece::Clouds, m.clouds);
+    replace(SkyPiece::Day, m.day, 0.0f); // domes have their own light
+    replace(SkyPiece::Dusk, m.dusk, 0.0f);
+    replace(SkyPiece::Clouds, m.clouds, m.cloudLight);
     if (m.dusk > 0.5) {
-        replace(SkyPiece::Sun, 1.0);
+        replace(SkyPiece::Sun, 1.0, 0.0f);
         key.replaces.back().gfxObj = lowSun;
     }
     return key;
 }
 
-/// An overcast sky with falling snow.
-dat::DayGroup snowyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId snow) {
-    constexpr double kSun = 0.35, kAmbient = 1.15; // factors of a fair day's light
-    constexpr std::uint32_t kLight = 0xFFE4E8F0, kMist = 0xFFC2C7CC, kDark = 0xFF14161A;
+/// A sky that is one cloud.
+struct Overcast {
+    const char* name = "";
+    double sun = 1.0, ambient = 1.0; ///< factors of a fair day's light
+    std::uint32_t light = 0xFFFFFFFF, mist = 0xFF000000;
+    float nearFog = 0.0f, farFog = 0.0f; ///< metres
+};
+
+/// `night`, `cloud`: domes, objects 0 and 1. Others follow.
+dat::DayGroup overcastDays(const Overcast& kind, dat::RecordId night, dat::RecordId cloud) {
+    constexpr std::uint32_t kDark = 0xFF14161A;
     dat::DayGroup group;
     group.chance = 0.2f;
-    group.name = "Snow";
+    group.name = kind.name;
     group.objects.push_back(skyObject(night, 0.0, 0.0, 0.0, 0.0, 0));
     group.objects.push_back(skyObject(cloud, 0.0, 0.0, 0.0, 0.0, 0));
-    group.objects.push_back(skyObject(0, 0.0, 0.0, 0.0, 0.0, 8));
-    group.objects.back().script = snow;
     for (const SkyKeyframe& fair : kStates) {
         dat::SkyTimeOfDay key = keyframe(fair, 0);
-        key.dirBright *= static_cast<float>(kSun);
-        key.ambBright *= static_cast<float>(kAmbient);
-        key.dirColour.argb = kLight;
-        key.fogColour.argb = fair.day > 0.5 ? kMist : kDark;
-        key.minFog = 20.0f;
-        key.maxFog = 420.0f;
+        key.dirBright *= static_cast<float>(kind.sun);
+        key.ambBright *= static_cast<float>(kind.ambient);
+        key.dirColour.argb = kind.light;
+        key.fogColour.argb = fair.day > 0.5 ? kind.mist : kDark;
+        key.minFog = kind.nearFog;
+        key.maxFog = kind.farFog;
         std::erase_if(key.replaces, [](const dat::SkyObjectReplace& r) {
             return r.objectIndex != static_cast<std::uint32_t>(SkyPiece::Day);
         });
         group.times.push_back(std::move(key));
+    }
+    return group;
+}
+
+dat::DayGroup snowyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId snow) {
+    dat::DayGroup group =
+        overcastDays({"Snow", 0.40, 1.60, 0xFFE4E8F0, 0xFF9BA0A8, 8.0f, 280.0f}, night, cloud);
+    group.objects.push_back(skyObject(0, 0.0, 0.0, 0.0, 0.0, kAtViewer));
+    group.objects.back().script = snow;
+    return group;
+}
+
+/// Two sheets of rain, behind and over the land.
+dat::DayGroup rainyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId far, dat::RecordId near) {
+    dat::DayGroup group =
+        overcastDays({"Rain", 0.30, 1.25, 0xFFC8D0DC, 0xFF80868E, 20.0f, 480.0f}, night, cloud);
+    for (const auto& [sheet, pass] : {std::pair{far, 0u}, {near, kOverLand}}) {
+        group.objects.push_back(skyObject(sheet, 0.0, 0.0, 0.0, 0.0, kWeather | kAtViewer | pass));
+        group.objects.back().texVelocityX = 0.02f;
+        group.objects.back().texVelocityY = pass == 0u ? -1.2f : -2.0f;
     }
     return group;
 }
@@ -209,8 +261,11 @@ dat::SkyDesc buildSky(ModelWriter& writer) {
     const double slack = 360.0 * early;
     fair.objects.push_back(skyObject(mesh(disc(Material::Sun, 110.0, kSunTilt)), kSunrise - early,
                                      kSunset + early, -slack, 180.0 + slack, 0));
-    fair.objects.push_back(skyObject(mesh(disc(Material::Moon, 26.0, 0.5 * kSunTilt)), kSunset - early,
-                                     kSunrise + early, -slack, 180.0 + slack, 0));
+    // No object is shown across midnight: one moon sets at it, another one rises.
+    const dat::RecordId moon = mesh(disc(Material::Moon, 26.0, 0.5 * kSunTilt));
+    constexpr double kBeside = 1e-4; // of a day: begin and end are not shown themselves
+    fair.objects.push_back(skyObject(moon, kSunset - early, 1.0 + kBeside, -slack, 90.0, 0));
+    fair.objects.push_back(skyObject(moon, -kBeside, kSunrise + early, 90.0, 180.0 + slack, 0));
     dat::SkyObject clouds = skyObject(mesh(cloudBowl()), 0.0, 0.0, 0.0, 0.0, 2);
     clouds.texVelocityX = 0.0015f;
     clouds.texVelocityY = 0.0006f;
@@ -219,14 +274,17 @@ dat::SkyDesc buildSky(ModelWriter& writer) {
     for (const SkyKeyframe& state : kStates)
         fair.times.push_back(keyframe(state, lowSun));
     dat::SkyDesc sky;
-    sky.tickSize = 5.0;
-    sky.lightTickSize = 1.0;
+    sky.tickSize = 0.8;
+    sky.lightTickSize = 15.0;
     sky.dayGroups.push_back(std::move(fair));
     // Separate statements fix the order of the ids. The evaluation order of arguments differs between
     // compilers.
     const dat::RecordId snow = addSnowScript(writer);
     const dat::RecordId cloud = mesh(dome(Material::SkySnow));
     sky.dayGroups.push_back(snowyDays(night, cloud, snow));
+    const dat::RecordId far = mesh(rainSheet(40.0));
+    const dat::RecordId near = mesh(rainSheet(12.0));
+    sky.dayGroups.push_back(rainyDays(night, cloud, far, near));
     return sky;
 }
 
