@@ -115,9 +115,9 @@ TEST(Plants, keepTheirTrunksFarAway) {
     addMaterials(records, Pictures::Blank);
     ModelWriter writer(records);
     (void)addPlants(writer, redBark, 64);
-    const dat::RecordId id = 0x06000100u + static_cast<std::uint32_t>(Material::FarPlants);
+    constexpr dat::RecordId kPicture = 0x06000100u + static_cast<std::uint32_t>(Material::FarPlants);
     const auto image = std::find_if(records.renderSurfaces.begin(), records.renderSurfaces.end(),
-                                    [id](const dat::RenderSurface& r) { return r.id == id; });
+                                    [](const dat::RenderSurface& r) { return r.id == kPicture; });
     ASSERT_EQ(image->width, 256);
     for (int row = 0; row < PlantPictures::kRows; ++row) {
         int bark = 0;
