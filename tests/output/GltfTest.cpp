@@ -55,6 +55,7 @@ Result<std::string> encodeAll(const world::World& world) {
 
 TEST(Gltf, aModelReadsBackAsItWas) {
     test::TestWorld source;
+    source.plain("oak", 0xFF806040u);
     const auto box = source.addModel(test::boxExterior({0, 0, 0}, {1, 2, 3}, "oak"));
     const Result<std::string> bytes = encodeAll(modelWorld(source, box));
     ASSERT_TRUE(bytes) << bytes.error().message();
