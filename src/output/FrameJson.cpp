@@ -146,12 +146,11 @@ Json frameJson(const world::World& world, const engine::IdTable& table, const en
                   {"gpu_ms", number(figures.gpuMs)}}},
                 {"driver", figures.driver},
                 {"drawing", figures.drawing},
+                {"driver_choices", figures.choices ? choicesJson(*figures.choices) : Json::object()},
                 {"textures", figures.textures},
                 {"bytes_written", figures.bytesWritten},
                 {"ring_stalls", figures.ringStalls},
                 {"resident", residentJson(figures.resident)}};
-    if (figures.choices)
-        report["driver_choices"] = choicesJson(*figures.choices);
     if (!figures.trouble.empty())
         report["trouble"] = figures.trouble;
     if (!ids.empty()) {

@@ -102,7 +102,7 @@ bool isOpenFor(const world::World& world, const world::Portal& portal, const Vec
 }
 
 /// The spaces that a ray passes through, without optimization: by the nearest opening ahead, without regard
-/// to walls. kNone at the end is a hole.
+/// to walls. A walled portal is no opening. kNone at the end is a hole.
 std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visibility::View& view,
                                           const Vec3& direction) {
     std::vector<world::SpaceIndex> chain{view.root};
@@ -116,7 +116,7 @@ std::vector<world::SpaceIndex> chainOfRay(const world::World& world, const visib
             const world::Portal& portal = world.portals[p];
             const double speed = glm::dot(portal.plane.n, direction);
             const double t = -portal.plane.signedDistance(view.eye) / speed;
-            if (speed < 0.0 && t > t0 && t < nearest &&
+            if (!portal.walled && speed < 0.0 && t > t0 && t < nearest &&
                 (cameBy == world::kNone || world.portals[cameBy].reciprocal != p) &&
                 meets(world, portal, view.eye, direction)) {
                 nearest = t;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <random>
+#include <span>
 
 namespace limen::test {
 namespace {
@@ -14,7 +15,16 @@ struct Face {
     Vec3 a{0.0}, b{0.0}, c{0.0};
 };
 
-/// The triangles that bound a cell, seen from inside: its shell and its portals.
+/// Whether a face is part of a portal's polygon: its picture.
+bool isPictureOf(std::span<const Vec3> outline, const Face& face) {
+    const auto isCorner = [&](const Vec3& at) {
+        return std::any_of(outline.begin(), outline.end(),
+                           [&](const Vec3& corner) { return glm::length(corner - at) < 0.001; });
+    };
+    return isCorner(face.a) && isCorner(face.b) && isCorner(face.c);
+}
+
+/// The triangles that bound a cell, seen from inside: its shell without pictures in openings, and its portals.
 std::vector<Face> facesOf(const world::World& world, const world::Space& space) {
     std::vector<Face> faces;
     const world::Instance& shell = world.instances[space.shell];
@@ -31,6 +41,7 @@ std::vector<Face> facesOf(const world::World& world, const world::Space& space) 
     }
     for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
         const auto outline = polygonOf(world, world.portals[p]);
+        std::erase_if(faces, [&](const Face& face) { return isPictureOf(outline, face); });
         for (std::size_t i = 1; i + 1 < outline.size(); ++i)
             faces.push_back({outline[0], outline[i], outline[i + 1]});
     }

@@ -107,7 +107,7 @@ struct BuiltIn {
     Result<world::WorldFile> file = tl::unexpected(Error());
 };
 
-TEST(WalkTour, whoWalksAheadFromTheStartEntersAHouse) {
+TEST(WalkTour, walkingAheadFromTheStartEntersAHouse) {
     const BuiltIn builtIn;
     const std::vector<world::Place>& places = builtIn.file->places;
     const auto start = std::find_if(places.begin(), places.end(), [&](const world::Place& place) {

@@ -1,33 +1,16 @@
-#include "support/LoadTestWorld.h"
+#include "RoomRow.h"
 
 #include <gmock/gmock.h>
 
 namespace limen::world {
 namespace {
 
-using test::rectangle;
-using test::TestWorld;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-/// Three rooms in a row along x, with doors between them and to the outside, and a fourth without a door. Rooms
-/// have 4 m a side, floors at z = 2.
-struct Lit {
-    TestWorld source;
-    std::vector<TestWorld::Cell> rooms;
-    std::uint32_t sphere = 0; ///< of 0.1 m
-    Lit() {
-        for (int i = 0; i < 4; ++i)
-            rooms.push_back(source.addBox({10.0 + 4 * i, 10, 2}, {14.0 + 4 * i, 14, 5}));
-        for (std::size_t i = 1; i < 3; ++i) {
-            const double x = 10.0 + 4.0 * static_cast<double>(i);
-            source.link(rooms[i - 1], rectangle({x, 11.5, 2}, {x, 12.5, 4}), rooms[i]);
-        }
-        const auto door = source.openOutside(rooms[0], rectangle({10, 11.5, 2}, {10, 12.5, 4}));
-        source.addBuilding(test::boxExterior({10, 10, 2}, {22, 14, 5}), {door});
-        source.setFlatTerrain(source.home(), 1);
-        sphere = source.addModel(test::boxExterior({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
-    }
+/// Rooms with lamps; the fourth has no door.
+struct Lit : test::RoomRow {
+    Lit() : RoomRow(4) {}
 
     std::uint32_t lamp(float falloff, float intensity = 2.0f, std::uint32_t argb = 0xFFFFFFFF) {
         dat::Setup setup;

@@ -1,4 +1,4 @@
-#include "support/LoadTestWorld.h"
+#include "RoomRow.h"
 
 #include <gmock/gmock.h>
 
@@ -8,25 +8,6 @@ namespace {
 using test::rectangle;
 using test::TestWorld;
 using testing::ElementsAre;
-
-/// Three rooms in a row along x with doors in the middle of the walls; a door to the outside in the first.
-struct Row {
-    TestWorld source;
-    std::vector<TestWorld::Cell> rooms;
-    std::uint32_t sphere = 0;
-    Row() {
-        for (int i = 0; i < 3; ++i)
-            rooms.push_back(source.addBox({10.0 + 4 * i, 10, 2}, {14.0 + 4 * i, 14, 5}));
-        for (std::size_t i = 1; i < 3; ++i) {
-            const double x = 10.0 + 4.0 * static_cast<double>(i);
-            source.link(rooms[i - 1], rectangle({x, 11.5, 2}, {x, 12.5, 4}), rooms[i]);
-        }
-        const auto door = source.openOutside(rooms[0], rectangle({10, 11.5, 2}, {10, 12.5, 4}));
-        source.addBuilding(test::boxExterior({10, 10, 2}, {22, 14, 5}), {door});
-        source.setFlatTerrain(source.home(), 1);
-        sphere = source.addModel(test::boxExterior({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}));
-    }
-};
 
 std::vector<SpaceIndex> membersOf(const World& world, InstanceKind kind) {
     for (const Instance& instance : world.instances) {
@@ -38,13 +19,13 @@ std::vector<SpaceIndex> membersOf(const World& world, InstanceKind kind) {
 }
 
 TEST(Membership, anObjectAwayFromPortalsIsInItsSpaceAlone) {
-    Row row;
+    test::RoomRow row;
     row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({16, 12, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), InstanceKind::Static), ElementsAre(2u));
 }
 
 TEST(Membership, anObjectInADoorwayIsInBothSpacesPlacedFirst) {
-    Row row;
+    test::RoomRow row;
     row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({14.1, 12, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), InstanceKind::Static), ElementsAre(2u, 1u));
 }
@@ -65,13 +46,13 @@ TEST(Membership, aPictureInADoorwayStopsAnObjectFromItsSide) {
 }
 
 TEST(Membership, aWallStopsAnObjectThatPokesThroughIt) {
-    Row row;
+    test::RoomRow row;
     row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({14.1, 13.5, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), InstanceKind::Static), ElementsAre(2u));
 }
 
 TEST(Membership, reachesAreFollowedTransitively) {
-    Row row;
+    test::RoomRow row;
     const auto log = row.source.addModel(test::boxExterior({-5, -0.1, -0.1}, {5, 0.1, 0.1}));
     row.source.addStatic(row.rooms[1], log, test::frameAt({15, 12, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), InstanceKind::Static),
@@ -79,13 +60,13 @@ TEST(Membership, reachesAreFollowedTransitively) {
 }
 
 TEST(Membership, outdoorObjectsReachIn) {
-    Row row;
+    test::RoomRow row;
     row.source.addObject(row.sphere, test::frameAt({9.9, 12, 3}));
     EXPECT_THAT(membersOf(test::loadTestWorld(row.source), InstanceKind::Static), ElementsAre(0u, 1u));
 }
 
 TEST(Membership, partsOfOneObjectShareItsMembers) {
-    Row row;
+    test::RoomRow row;
     dat::Setup setup;
     setup.parts = {row.sphere, row.sphere};
     dat::AnimationFrame pose;
@@ -105,7 +86,7 @@ TEST(Membership, partsOfOneObjectShareItsMembers) {
 }
 
 TEST(Membership, shellsTerrainAndExteriorsAreNeverMembersElsewhere) {
-    Row row;
+    test::RoomRow row;
     const World world = test::loadTestWorld(row.source);
     EXPECT_THAT(membersOf(world, InstanceKind::Exterior), ElementsAre(0u));
     EXPECT_THAT(membersOf(world, InstanceKind::Terrain), ElementsAre(0u));
@@ -113,7 +94,7 @@ TEST(Membership, shellsTerrainAndExteriorsAreNeverMembersElsewhere) {
 }
 
 TEST(Membership, everySpaceListsItsMembersShellFirst) {
-    Row row;
+    test::RoomRow row;
     row.source.addStatic(row.rooms[1], row.sphere, test::frameAt({14.1, 12, 3}));
     const World world = test::loadTestWorld(row.source);
     std::size_t listed = 0;

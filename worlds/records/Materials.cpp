@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "worlds/pictures/Painters.h"
+#include "worlds/records/MaterialRecipes.h"
 #include "worlds/records/PixelEncoder.h"
 
 #include <array>
@@ -17,158 +18,6 @@ using S = dat::Surface;
 constexpr std::uint32_t kFirstRecord = 0x100;
 constexpr auto kMaterialCount = static_cast<std::uint32_t>(Material::Count);
 constexpr auto kGroundCount = static_cast<std::uint32_t>(Ground::Count);
-
-struct Recipe {
-    double metres = 2.0;
-    PixelFormat format = PixelFormat::Dxt1;
-    std::uint32_t type = S::kBase1Image;
-    float luminosity = 0.0f, diffuse = 1.0f, translucency = 0.0f;
-    std::uint32_t colour = 0; ///< of a solid surface
-};
-
-Recipe solid(std::uint32_t argb, float luminosity = 0.0f) {
-    return {1.0,
-            PixelFormat::A8R8G8B8,
-            luminosity > 0.0f ? S::kBase1Solid | S::kLuminous : S::kBase1Solid,
-            luminosity,
-            1.0f,
-            0.0f,
-            argb};
-}
-Recipe image(double metres, PixelFormat format) {
-    return {metres, format, S::kBase1Image, 0.0f, 1.0f, 0.0f, 0};
-}
-Recipe cutOut(PixelFormat format) {
-    return {1.0, format, S::kBase1ClipMap, 0.0f, 1.0f, 0.0f, 0};
-}
-Recipe glow(PixelFormat format, std::uint32_t type) {
-    return {1.0, format, S::kBase1Image | S::kLuminous | type, 1.0f, 0.0f, 0.0f, 0};
-}
-
-Recipe folkRecipe(Material material) {
-    switch (material) {
-    case Material::Glass:
-        return {0.5, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
-    case Material::Snowflake: // bright from all sides
-        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha | S::kLuminous, 0.62f, 1.0f, 0.0f, 0};
-    case Material::Smoke:
-        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
-    case Material::Fire:
-    case Material::Firefly:
-    case Material::Swirl:
-        return glow(PixelFormat::A8R8G8B8, S::kAdditive);
-    case Material::Skin:
-        return solid(0xFFC99A78);
-    case Material::Hair:
-        return solid(0xFF3E2B1E);
-    case Material::BlueCloth:
-        return solid(0xFF3D4F73);
-    case Material::GreenCloth:
-        return solid(0xFF4F5F36);
-    case Material::BrownCloth:
-        return solid(0xFF6B4E35);
-    case Material::RedCloth:
-        return solid(0xFF8A3B30);
-    default:
-        return {};
-    }
-}
-
-Recipe natureRecipe(Material material) {
-    switch (material) {
-    case Material::Bark:
-        return image(1.4, PixelFormat::Dxt1);
-    case Material::Rock:
-        return image(2.5, PixelFormat::Dxt1);
-    case Material::Leaves:
-        return cutOut(PixelFormat::P8);
-    case Material::BirchLeaves:
-        return cutOut(PixelFormat::Dxt1);
-    case Material::PineBranch:
-        return cutOut(PixelFormat::Index16);
-    case Material::GrassTuft:
-        return cutOut(PixelFormat::P8);
-    case Material::Flowers:
-    case Material::FarPlants:
-        return cutOut(PixelFormat::A8R8G8B8);
-    case Material::WaterDark:
-        return image(1.0, PixelFormat::R5G6B5);
-    case Material::SkyNight:
-        return glow(PixelFormat::R8G8B8, 0);
-    case Material::SkyDay:
-    case Material::SkySnow:
-        return glow(PixelFormat::R8G8B8, S::kTranslucent);
-    case Material::SkyDusk:
-        return glow(PixelFormat::A8R8G8B8, S::kAlpha);
-    case Material::Rain:
-        return {1.0,
-                PixelFormat::A8R8G8B8,
-                S::kBase1Image | S::kAlpha | S::kAdditive | S::kTranslucent,
-                0.148f,
-                1.0f,
-                0.5f,
-                0};
-    case Material::Sun:
-        return glow(PixelFormat::A8, S::kAdditive);
-    case Material::Moon:
-        return glow(PixelFormat::A8R8G8B8, S::kAlpha);
-    case Material::Clouds: // lit by the sky
-        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
-    default:
-        return folkRecipe(material);
-    }
-}
-
-Recipe recipe(Material material) {
-    switch (material) {
-    case Material::Planks:
-        return image(2.0, PixelFormat::R8G8B8);
-    case Material::OldPlanks:
-        return image(1.6, PixelFormat::Dxt1);
-    case Material::Beam:
-        return image(1.5, PixelFormat::Dxt1);
-    case Material::Oak:
-        return image(1.5, PixelFormat::R5G6B5);
-    case Material::Plaster:
-    case Material::InnerPlaster:
-        return image(3.0, PixelFormat::R8G8B8);
-    case Material::StoneWall:
-        return image(1.9, PixelFormat::A8R8G8B8);
-    case Material::Flagstones:
-        return image(2.2, PixelFormat::Index16);
-    case Material::Brick:
-        return image(1.0, PixelFormat::P8);
-    case Material::Thatch:
-        return image(2.5, PixelFormat::R8G8B8);
-    case Material::Rug:
-        return image(1.0, PixelFormat::P8);
-    case Material::Blanket:
-        return image(1.0, PixelFormat::R5G6B5);
-    case Material::Linen:
-    case Material::Books:
-    case Material::BarrelStaves:
-    case Material::LogEnds:
-        return image(1.0, PixelFormat::Dxt1);
-    case Material::Iron:
-        return solid(0xFF37363A);
-    case Material::Wax:
-        return solid(0xFFE6DCC0, 0.25f);
-    case Material::Embers:
-        return {0.6, PixelFormat::R8G8B8, S::kBase1Image | S::kLuminous, 1.0f, 0.0f, 0.0f, 0};
-    case Material::Flame:
-        return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kLuminous | S::kAlpha, 1.0f, 0.0f, 0.0f, 0};
-    case Material::LampGlass:
-        return {1.0,
-                PixelFormat::A8R8G8B8,
-                S::kBase1Solid | S::kLuminous | S::kTranslucent,
-                1.0f,
-                0.0f,
-                0.45f,
-                0xFFFFD98A};
-    default:
-        return natureRecipe(material);
-    }
-}
 
 Canvas paintSprite(Material material) {
     switch (material) {
@@ -285,7 +134,7 @@ void addTexture(WorldRecords& records, std::uint32_t index, const Canvas& canvas
 }
 
 void addMaterial(WorldRecords& records, Material material, Pictures pictures) {
-    const Recipe r = recipe(material);
+    const MaterialRecipe r = recipeOf(material);
     dat::Surface surface;
     surface.type = r.type;
     surface.translucency = r.translucency;
@@ -309,15 +158,15 @@ Canvas blankPicture() {
 }
 
 double metresPerTile(Material material) {
-    return recipe(material).metres;
+    return recipeOf(material).metres;
 }
 
 bool isCard(Material material) {
-    return (recipe(material).type & (S::kBase1ClipMap | S::kAlpha | S::kAdditive | S::kTranslucent)) != 0;
+    return (recipeOf(material).type & (S::kBase1ClipMap | S::kAlpha | S::kAdditive | S::kTranslucent)) != 0;
 }
 
 bool isAdded(Material material) {
-    return (recipe(material).type & (S::kAdditive | S::kAlpha)) == S::kAdditive;
+    return (recipeOf(material).type & (S::kAdditive | S::kAlpha)) == S::kAdditive;
 }
 
 dat::RecordId surfaceId(Material material) {
@@ -408,7 +257,7 @@ void setPicture(WorldRecords& records, Material material, const Canvas& canvas) 
     const dat::RecordId id = pictureId(static_cast<std::uint32_t>(material));
     for (dat::RenderSurface& image : records.renderSurfaces) {
         if (image.id == id) {
-            image = encodeImage(canvas, recipe(material).format).image;
+            image = encodeImage(canvas, recipeOf(material).format).image;
             image.id = id;
         }
     }
