@@ -63,6 +63,16 @@ Result<double> parseNumberBetween(std::string_view option, std::string_view text
     return number;
 }
 
+Result<std::optional<double>> parseNumberOrAuto(std::string_view option, std::string_view text, double low,
+                                                double high) {
+    if (text == "auto")
+        return std::optional<double>();
+    const Result<double> number = parseNumberBetween(option, text, low, high);
+    if (!number)
+        return bad(option, text, fmt::format("auto or a number from {} to {}", low, high));
+    return std::optional(*number);
+}
+
 Result<Vec3> parseVec3(std::string_view option, std::string_view text) {
     Vec3 value{0.0};
     std::string_view rest = text;

@@ -21,6 +21,9 @@ namespace limen::cli {
 /// A number within low..high, bounds included. Errors: as parseNumber; a number out of bounds.
 [[nodiscard]] Result<double> parseNumberBetween(std::string_view option, std::string_view text, double low,
                                                 double high);
+/// The same, or `auto`: none.
+[[nodiscard]] Result<std::optional<double>> parseNumberOrAuto(std::string_view option, std::string_view text,
+                                                              double low, double high);
 
 /// "X,Y,Z" with blanks allowed around the numbers. Errors: as parseNumber; not three numbers.
 [[nodiscard]] Result<Vec3> parseVec3(std::string_view option, std::string_view text);

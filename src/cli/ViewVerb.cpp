@@ -147,14 +147,12 @@ Result<void> checkFiles(const ViewOptions& options) {
 
 /// The scale of the options; a script's pictures have full size by default.
 Result<void> takeScale(const ViewOptions& options, viewer::ApplicationOptions& application) {
-    if (options.scale == "auto") {
-        application.scale = 0;
-    } else if (!options.scale.empty()) {
-        const Result<double> percent =
-            parseNumberBetween("--scale", options.scale, viewer::kLeastScale, viewer::kFullScale);
+    if (!options.scale.empty()) {
+        const Result<std::optional<double>> percent =
+            parseNumberOrAuto("--scale", options.scale, viewer::kLeastScale, viewer::kFullScale);
         if (!percent)
             return tl::unexpected(percent.error());
-        application.scale = static_cast<std::uint32_t>(*percent);
+        application.scale = static_cast<std::uint32_t>(percent->value_or(0.0)); // 0: automatic
     } else if (options.isScript()) {
         application.scale = viewer::kFullScale;
     }

@@ -85,5 +85,15 @@ TEST(Parse, messagesStayOneShortLineWhateverIsTyped) {
     EXPECT_EQ(parseNumber("--yaw", "a\nb").error().message().find('\n'), std::string::npos);
 }
 
+TEST(ParseNumberOrAuto, namesBothFormsInItsError) {
+    EXPECT_EQ(*parseNumberOrAuto("--scale", "auto", 50, 100), std::nullopt);
+    EXPECT_EQ(*parseNumberOrAuto("--scale", "75", 50, 100), 75.0);
+    for (const char* text : {"fast", "30", "101", "", "nan"}) {
+        const auto parsed = parseNumberOrAuto("--scale", text, 50, 100);
+        ASSERT_FALSE(parsed) << text;
+        EXPECT_NE(parsed.error().message().find("auto or a number from 50 to 100"), std::string::npos);
+    }
+}
+
 } // namespace
 } // namespace limen::cli
