@@ -60,10 +60,10 @@ struct GrassStyle {
 [[nodiscard]] Canvas paintDirt();
 [[nodiscard]] Canvas paintForestFloor();
 [[nodiscard]] Canvas paintStream(); ///< ripples over a dark bed
-[[nodiscard]] Canvas paintRoad();   ///< two wheel ruts along u, a tenth above and below the v = 0 border
+[[nodiscard]] Canvas paintRoad();   ///< trodden earth without a direction; blend maps make the lane
 
 /// Blend maps: alpha 1 shows the lower layer. A corner for code 8 (north-west), a side for code 9 (the west
-/// edge), and the same for lanes, whose edge is `reach` (share of a landcell) from the corner or side.
+/// edge), and the same for lanes, an eighth of a landcell to each side, with patches of grass along the middle.
 enum class BlendShape : std::uint8_t { Corner, Side, RoadCorner, RoadSide, RoadDiagonal };
 [[nodiscard]] Canvas paintBlend(BlendShape shape, std::uint32_t seed);
 

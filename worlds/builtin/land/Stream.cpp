@@ -10,8 +10,8 @@ namespace limen::worlds {
 namespace {
 
 constexpr double kSource = 30.0, kMouth = 21.5; ///< metres: height of the bed at the path's ends
-constexpr double kBank = 1.1;                   ///< least height above the bed, one vertex beside it; metres
-constexpr double kReach = 3.6;                  ///< vertices
+constexpr double kLevel = 1.5;                  ///< vertices: up to here the ground is level with the bed
+constexpr double kReach = 4.2;                  ///< vertices: from here on the ground is natural
 
 struct Nearest {
     double distance = 1e9, bed = 0.0;
@@ -63,9 +63,7 @@ double distanceToStream(double vx, double vy) {
 
 double cutByStream(double height, double vx, double vy) {
     const Nearest stream = nearestTo(vx, vy);
-    const double cut = stream.bed + (height - stream.bed) * smoothStep(0.0, kReach, stream.distance);
-    const double bank = stream.bed + kBank * smoothStep(0.0, 1.0, stream.distance);
-    return stream.distance < 1.5 ? std::max(cut, bank) : cut;
+    return stream.bed + (height - stream.bed) * smoothStep(kLevel, kReach, stream.distance);
 }
 
 } // namespace limen::worlds

@@ -8,7 +8,8 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kShoulder = 1.42, kNeck = 1.48;
+constexpr double kNeck = 1.48;
+constexpr double kShoulderOut = 0.205, kShoulderUp = 1.365; ///< metres; inside the body, so that no pose parts the arm from it
 
 struct Clothes {
     Material coat = Material::BrownCloth, legs = Material::GreenCloth;
@@ -53,8 +54,9 @@ FaceMesh bodyMesh(const Clothes& c) {
     if (!c.gown)
         addRing(mesh, 0.74, kWaist, 0.235, 0.195, c.coat, true);
     addRing(mesh, kWaist, 1.07, 0.20, 0.20, Material::Hair, true);
-    addRing(mesh, 1.07, 1.36, 0.19, 0.235, c.coat, true);
-    addRing(mesh, 1.36, kNeck, 0.235, 0.10, c.coat, true);
+    addRing(mesh, 1.07, 1.34, 0.19, 0.235, c.coat, true);
+    addRing(mesh, 1.34, 1.42, 0.235, 0.20, c.coat, true);
+    addRing(mesh, 1.42, kNeck, 0.20, 0.10, c.coat, true);
     flatten(mesh, 0.68);
     if (c.gown)
         mesh.append(skirtMesh(c), {});
@@ -88,11 +90,23 @@ FaceMesh headMesh(const Clothes& c) {
     return mesh;
 }
 
-FaceMesh armMesh(const Clothes& c, double bend) {
-    FaceMesh mesh; // origin at the shoulder
-    const Vec3 elbow{0.0, 0.03, -0.29};
-    const Vec3 hand = elbow + Vec3(0.0, 0.24 * std::sin(bend), -0.24 * std::cos(bend));
-    mesh.strut({0, 0, -0.01}, elbow + Vec3(0, 0.01, -0.03), {1, 0, 0}, 0.105, 0.11, c.coat);
+/// The origin is the shoulder's joint. `side`: -1 left, 1 right; the arm hangs a little away from the body. `bend`: of the
+/// elbow, radians.
+FaceMesh armMesh(const Clothes& c, double side, double bend) {
+    FaceMesh mesh;
+    const Vec3 elbow{side * 0.085, 0.02, -0.28};
+    const Vec3 hand = elbow + Vec3(side * 0.01, 0.24 * std::sin(bend), -0.24 * std::cos(bend));
+    // The ball of the shoulder: round about the axis about which the arm swings.
+    for (const auto& [z, lower, upper] : {std::array{-0.055, 0.058, 0.078}, std::array{0.0, 0.078, 0.045}}) {
+        mesh.cylinder({.base = {side * 0.02, 0, z},
+                       .lower = lower,
+                       .upper = upper,
+                       .height = 0.055,
+                       .sides = 8,
+                       .side = c.coat,
+                       .cap = c.coat});
+    }
+    mesh.strut({side * 0.022, 0, 0.02}, elbow + Vec3(0, 0.01, -0.03), {1, 0, 0}, 0.105, 0.11, c.coat);
     mesh.strut(elbow + Vec3(0, 0.0, 0.01), hand, {1, 0, 0}, 0.088, 0.088, c.coat);
     const Vec3 ahead = glm::normalize(hand - elbow);
     mesh.strut(hand - ahead * 0.01, hand + ahead * 0.10, {1, 0, 0}, 0.062, 0.075, Material::Skin);
@@ -116,8 +130,8 @@ std::vector<SetupPart> person(ModelWriter& writer, const Clothes& c, const Bends
     const dat::RecordId leg = writer.addMesh(legMesh(c), false);
     return {{writer.addMesh(bodyMesh(c), false), {}},
             {writer.addMesh(headMesh(c), false), {{0.0, 0.0, kNeck}, 0.0}},
-            {writer.addMesh(armMesh(c, bends.left), false), {{-0.265, 0.0, kShoulder - 0.05}, 0.0}},
-            {writer.addMesh(armMesh(c, bends.right), false), {{0.265, 0.0, kShoulder - 0.05}, 0.0}},
+            {writer.addMesh(armMesh(c, -1.0, bends.left), false), {{-kShoulderOut, 0.0, kShoulderUp}, 0.0}},
+            {writer.addMesh(armMesh(c, 1.0, bends.right), false), {{kShoulderOut, 0.0, kShoulderUp}, 0.0}},
             {leg, {{-0.105, 0.0, kHip}, 0.0}},
             {leg, {{0.105, 0.0, kHip}, 0.0}}};
 }
