@@ -49,6 +49,7 @@ struct BoardStyle {
 [[nodiscard]] Canvas paintFirefly();
 [[nodiscard]] Canvas paintSnowflake();
 [[nodiscard]] Canvas paintSwirl();
+[[nodiscard]] Canvas paintShadow();
 
 /// Grass from thousands of strokes over mottled earth. `bare` 0..1 is the share of earth that shows.
 struct GrassStyle {

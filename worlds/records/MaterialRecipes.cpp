@@ -33,6 +33,7 @@ MaterialRecipe folkRecipe(Material material) {
     case Material::Snowflake: // bright from all sides
         return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha | S::kLuminous, 0.62f, 1.0f, 0.0f, 0};
     case Material::Smoke:
+    case Material::Shadow:
         return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     case Material::Fire:
     case Material::Firefly:

@@ -33,6 +33,8 @@ Canvas paintSprite(Material material) {
         return paintSnowflake();
     case Material::Swirl:
         return paintSwirl();
+    case Material::Shadow:
+        return paintShadow();
     default:
         return Canvas(0, 0);
     }

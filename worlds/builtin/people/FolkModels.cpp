@@ -122,6 +122,16 @@ FaceMesh legMesh(const Clothes& c) {
     return mesh;
 }
 
+/// A shadow on the ground, `half` metres to each side of the origin. It is high enough above the ground not to fight with it.
+FaceMesh shadowMesh(const Vec2& half) {
+    constexpr double kAbove = 0.015;
+    FaceMesh mesh;
+    mesh.card({Vec3(-half.x, -half.y, kAbove), Vec3(half.x, -half.y, kAbove), Vec3(half.x, half.y, kAbove),
+               Vec3(-half.x, half.y, kAbove)},
+              Material::Shadow, false);
+    return mesh;
+}
+
 struct Bends {
     double left = 0.2, right = 0.2;
 };
@@ -134,6 +144,12 @@ std::vector<SetupPart> person(ModelWriter& writer, const Clothes& c, const Bends
             {writer.addMesh(armMesh(c, 1.0, bends.right), false), {{kShoulderOut, 0.0, kShoulderUp}, 0.0}},
             {leg, {{-0.105, 0.0, kHip}, 0.0}},
             {leg, {{0.105, 0.0, kHip}, 0.0}}};
+}
+
+/// Adds a person's shadow as the last part, which keeps the pose of the Setup.
+dat::RecordId addPerson(ModelWriter& writer, std::vector<SetupPart> parts, dat::RecordId shadow, dat::RecordId gaits) {
+    parts.push_back({shadow, {}});
+    return writer.addSetup(parts, {}, gaits);
 }
 
 FaceMesh lanternMesh() {
@@ -188,58 +204,68 @@ FaceMesh cartMesh() {
     return mesh;
 }
 
-/// The arm with the lantern does not move: the emitter in `world.json` is at the lantern's fixed position.
-dat::RecordId addWatchman(ModelWriter& writer) {
+/// The hand with the lantern does not move: the emitter in `world.json` is at the lantern's fixed position.
+dat::RecordId addWatchman(ModelWriter& writer, dat::RecordId shadow) {
     std::vector<SetupPart> parts =
         person(writer, {.coat = Material::BlueCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.35});
     parts.push_back({writer.addMesh(lanternMesh(), false), {kLantern, 0.0}});
-    const std::vector<Role> roles{Role::Body,    Role::Head,     Role::LeftArm, Role::Held,
-                                  Role::LeftLeg, Role::RightLeg, Role::Held};
+    parts.push_back({shadow, {}});
+    const std::vector<Role> roles{Role::Body,    Role::Head,     Role::LeftArm, Role::HoldingArm,
+                                  Role::LeftLeg, Role::RightLeg, Role::Held,    Role::Held};
     return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
 }
 
 /// Both hands hold the cart.
-dat::RecordId addCarter(ModelWriter& writer) {
+dat::RecordId addCarter(ModelWriter& writer, dat::RecordId shadow) {
+    constexpr double kAxle = -2.1;
     std::vector<SetupPart> parts =
         person(writer, {.coat = Material::RedCloth, .legs = Material::GreenCloth, .hat = true}, {-0.3, -0.3});
     const dat::RecordId wheel = writer.addMesh(wheelMesh(), false);
-    parts.push_back({writer.addMesh(cartMesh(), false), {{0.0, -2.1, 0.0}, 0.0}});
-    parts.push_back({wheel, {{-0.70, -2.1, kWheelRadius}, 0.0}});
-    parts.push_back({wheel, {{0.70, -2.1, kWheelRadius}, 0.0}});
-    const std::vector<Role> roles{Role::Body,     Role::Head, Role::Held,  Role::Held, Role::LeftLeg,
-                                  Role::RightLeg, Role::Held, Role::Wheel, Role::Wheel};
+    parts.push_back({writer.addMesh(cartMesh(), false), {{0.0, kAxle, 0.0}, 0.0}});
+    parts.push_back({wheel, {{-0.70, kAxle, kWheelRadius}, 0.0}});
+    parts.push_back({wheel, {{0.70, kAxle, kWheelRadius}, 0.0}});
+    parts.push_back({shadow, {}});
+    parts.push_back({writer.addMesh(shadowMesh({1.1, 1.5}), false), {{0.0, kAxle, 0.0}, 0.0}});
+    const std::vector<Role> roles{Role::Body,     Role::Head, Role::HoldingArm, Role::HoldingArm,
+                                  Role::LeftLeg,  Role::RightLeg, Role::Held,   Role::Wheel,
+                                  Role::Wheel,    Role::Held, Role::Held};
     return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
 }
 
 } // namespace
 
 FolkModels addFolkModels(ModelWriter& writer, const Effects& effects) {
-    const std::vector<Role> bare{Role::Body,     Role::Head,    Role::LeftArm,
-                                 Role::RightArm, Role::LeftLeg, Role::RightLeg};
-    const std::vector<SetupPart> farmer =
+    const std::vector<Role> bare{Role::Body,    Role::Head,     Role::LeftArm, Role::RightArm,
+                                 Role::LeftLeg, Role::RightLeg, Role::Held};
+    const dat::RecordId shadow = writer.addMesh(shadowMesh({0.55, 0.46}), false);
+    std::vector<SetupPart> farmer =
         person(writer, {.coat = Material::GreenCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.3});
-    const dat::RecordId free = addGaits(writer, farmer, bare, longStrides(), effects.dust);
-    const dat::RecordId gowned = addGaits(writer, farmer, bare, shortStrides());
+    std::vector<SetupPart> shaded = farmer;
+    shaded.push_back({shadow, {}});
+    const dat::RecordId free = addGaits(writer, shaded, bare, longStrides(), effects.dust);
+    const dat::RecordId gowned = addGaits(writer, shaded, bare, shortStrides());
     FolkModels m;
-    m.innkeeper = writer.addSetup(
-        person(writer, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}), {},
-        gowned);
-    m.maid = writer.addSetup(
-        person(writer, {.coat = Material::BlueCloth, .legs = Material::Hair, .gown = true, .apron = true},
-               {0.6, 0.6}),
-        {}, gowned);
-    m.farmer = writer.addSetup(farmer, {}, free);
-    m.elder = writer.addSetup(
-        person(writer, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}), {},
-        gowned);
-    m.watchman = addWatchman(writer);
+    m.innkeeper = addPerson(
+        writer,
+        person(writer, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}),
+        shadow, gowned);
+    m.maid = addPerson(writer,
+                       person(writer,
+                              {.coat = Material::BlueCloth, .legs = Material::Hair, .gown = true, .apron = true},
+                              {0.6, 0.6}),
+                       shadow, gowned);
+    m.farmer = addPerson(writer, std::move(farmer), shadow, free);
+    m.elder = addPerson(
+        writer, person(writer, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}),
+        shadow, gowned);
+    m.watchman = addWatchman(writer, shadow);
     writer.setEffects(m.watchman, {.scriptTable = effects.watchmansScripts});
-    m.carter = addCarter(writer);
+    m.carter = addCarter(writer, shadow);
     writer.setEffects(m.carter, {.script = effects.cartScript});
-    m.traveller = writer.addSetup(
-        person(writer, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true},
-               {0.25, 0.25}),
-        {}, free);
+    m.traveller = addPerson(
+        writer,
+        person(writer, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true}, {0.25, 0.25}),
+        shadow, free);
     const dat::RecordId cloaked =
         writer.addMesh(bodyMesh({.coat = Material::Rug, .legs = Material::BrownCloth}), false);
     m.cloak = addCloak(writer, {m.farmer, m.traveller}, cloaked);
