@@ -17,6 +17,9 @@ std::vector<GeneratedSpec> specs() {
         out.push_back({GeneratedKind::Complex, seed * 5 % 37 + 1, seed});
         out.push_back({GeneratedKind::Terrain, seed % 6 + 1, seed});
     }
+    for (std::uint32_t seed = 1; seed <= 2; ++seed)
+        for (const GeneratedKind kind : {GeneratedKind::Dungeon, GeneratedKind::Town})
+            out.push_back({kind, 11 * seed, seed, 0.02, true});
     return out;
 }
 

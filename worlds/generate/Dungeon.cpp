@@ -19,7 +19,7 @@ WorldRecords buildDungeon(const GeneratedSpec& spec) {
     ShapeLibrary library(records);
     DungeonShapes shapes(library);
     const Props props = addProps(writer, spec.furnished);
-    const DungeonLeaves leaves = addDungeonLeaves(writer);
+    const DungeonLeaves leaves = addDungeonLeaves(writer, spec.furnished);
     WorldNotes notes;
     const std::uint32_t blocks = (spec.size + kMostCellsOfBlock - 1) / kMostCellsOfBlock;
     for (std::uint32_t b = 0; b < blocks; ++b) {

@@ -230,9 +230,9 @@ private:
 
 } // namespace
 
-DungeonLeaves addDungeonLeaves(ModelWriter& writer) {
-    return {addLeaf(writer, 1.25, 2.25, true), addLeaf(writer, 1.0, 2.5, true),
-            addLeaf(writer, 2.0, 2.5, false)};
+DungeonLeaves addDungeonLeaves(ModelWriter& writer, bool furnished) {
+    return {addLeaf(writer, {1.25, 2.25, true, furnished}), addLeaf(writer, {1.0, 2.5, true, furnished}),
+            addLeaf(writer, {2.0, 2.5, false, furnished})};
 }
 
 void writeDungeonBlock(const DungeonTools& tools, dat::BlockCoord coord, const DungeonLayout& layout,

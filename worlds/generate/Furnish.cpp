@@ -95,7 +95,7 @@ public:
     /// A lantern near the middle of the ceiling, not before an eye in the middle.
     void lantern(dat::RecordId model) {
         const Vec3 middle = 0.5 * (room_.min + room_.max);
-        const double x = random_.chance(0.5) ? 0.9 : -0.9;
+        const double x = random_.chance(0.5) ? 1.4 : -1.4;
         statics_.push_back({model, {{middle.x + x, middle.y + 0.6, room_.max.z}, 0.0}});
     }
 
@@ -122,13 +122,10 @@ private:
     std::vector<Rect> taken_, windows_; ///< parts of the floor, seen from above
 };
 
-/// The half extents of a room's walls, and the way out of each, by quarter turns from north.
-struct Wall {
-    double distance = 0.0;
-    Way way = Way::North;
-};
-std::array<Wall, 4> wallsOf(const RoomSize& size) {
-    return {{{size.halfY, Way::North}, {size.halfX, Way::West}, {size.halfY, Way::South}, {size.halfX, Way::East}}};
+/// True if a form of room lacks the corner towards these signs of x and y.
+bool lacksCorner(Form form, double x, double y) {
+    return (form == Form::NoSouthWest && x < 0.0 && y < 0.0) || (form == Form::NoSouthEast && x > 0.0 && y < 0.0) ||
+           (form == Form::NoNorthWest && x < 0.0 && y > 0.0) || (form == Form::NoNorthEast && x > 0.0 && y > 0.0);
 }
 
 } // namespace
@@ -163,24 +160,28 @@ void furnishRoom(std::vector<Furnishing>& statics, const RoomSpec& room, std::sp
 void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, const Props& props, Random random) {
     const DungeonProps& built = props.builtIn;
     const RoomSize& size = kRoomSizes[room.size];
+    constexpr double kClear = 3.5; // metres: in wider walls, corners are clear of openings
     const Vec3 eye = eyePoint(room.form);
     const Vec3 light = room.form == Form::Box ? Vec3(-2.0, 2.0, 0.0) : Vec3(1.5 * eye.x, 1.5 * eye.y, 0.0);
     statics.push_back({random.chance(0.6) ? built.brazier : props.lamp, {light, 0.0}});
-    if (room.form != Form::Box)
-        return;
-    const std::array<Wall, 4> walls = wallsOf(size);
-    for (std::size_t k = 0; k < walls.size(); ++k) {
-        constexpr double kTorchUp = 1.9, kFromCorner = 0.8; // metres
-        const double turn = 90.0 * static_cast<double>(k);
-        if (room.doors[static_cast<std::size_t>(walls[k].way)] == Door::None && random.chance(0.6))
-            statics.push_back({built.torch, {place({Vec3(0.0), turn}, {0.0, walls[k].distance, kTorchUp}), turn}});
-        if (!random.chance(0.4))
-            continue;
+    for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+        constexpr double kTorchUp = 1.9, kFromCorner = 1.2, kPiece = 0.7; // metres
+        const bool torch = random.chance(0.8), piece = random.chance(0.4);
         const std::array<dat::RecordId, 4> stores{built.house.barrel, built.house.crate, built.house.chest,
                                                   built.house.sacks};
-        const double x = k % 2 == 0 ? kFromCorner - size.halfX : size.halfX - kFromCorner;
-        const double y = k / 2 == 0 ? kFromCorner - size.halfY : size.halfY - kFromCorner;
-        statics.push_back({stores[random.below(4)], {{x, y, 0.0}, random.between(-15.0, 15.0)}});
+        const dat::RecordId store = stores[random.below(4)];
+        const double turn = random.between(-15.0, 15.0);
+        if (lacksCorner(room.form, corner.x, corner.y))
+            continue;
+        // Light is computed at the corners of walls: a torch near one lights two walls.
+        const Way way = corner.y < 0.0 ? Way::South : Way::North;
+        if (torch && (size.halfX > kClear || room.doors[static_cast<std::size_t>(way)] == Door::None)) {
+            statics.push_back({built.torch,
+                               {{corner.x * (size.halfX - kFromCorner), corner.y * size.halfY, kTorchUp},
+                                corner.y < 0.0 ? 180.0 : 0.0}});
+        }
+        if (piece)
+            statics.push_back({store, {{corner.x * (size.halfX - kPiece), corner.y * (size.halfY - kPiece), 0.0}, turn}});
     }
 }
 

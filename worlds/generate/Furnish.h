@@ -17,7 +17,7 @@ enum class RoomUse : std::uint8_t { Living, Sleeping, Storing };
 void furnishRoom(std::vector<Furnishing>& statics, const RoomSpec& room, std::span<const Opening> openings,
                  RoomUse use, const Props& props, Random random);
 
-/// Adds a light, torches on walls without openings, and stores in corners of a dungeon's room. Coordinates of the room, with
+/// Adds a light in a dungeon's room, and torches and stores in its corners. Coordinates of the room, with
 /// the origin in the middle of the floor. Requires: props.furnished.
 void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, const Props& props, Random random);
 

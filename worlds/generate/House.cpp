@@ -41,6 +41,8 @@ public:
         link();
         addWalls();
         addRoof();
+        if (props_.furnished)
+            addTimbers();
         return std::move(out_);
     }
 
@@ -272,6 +274,21 @@ private:
                                 {3.0 * x, s_.depth / 2, top()}),
                          Material::OldPlanks);
         }
+    }
+
+    /// Adds timbers before the outer walls: a post at each corner and a plate along each wall, clear of openings.
+    void addTimbers() {
+        constexpr double kProud = 0.04, kIn = 0.02, kWide = 0.2, kPlate = 0.24; // metres
+        FaceMesh& mesh = out_.plan.exterior;
+        const double w = s_.halfWidth, d = s_.depth, high = top();
+        const double out = kProud + 0.01; // no face of a post is in one plane with a plate's
+        for (const double x : {-w - out, w + out - kWide})
+            for (const double y : {-out, d + out - kWide})
+                mesh.beam({x, y, s_.foot}, {x + kWide, y + kWide, high - 0.01}, Material::Beam);
+        for (const double y : {-kProud, d - kIn})
+            mesh.beam({-w + 0.1, y, high - kPlate}, {w - 0.1, y + kProud + kIn, high - 0.06}, Material::Beam);
+        for (const double x : {-w - kProud, w - kIn})
+            mesh.beam({x, 0.1, high - kPlate}, {x + kProud + kIn, d - 0.1, high + 0.06}, Material::Beam);
     }
 
     const HouseSpec& s_;

@@ -44,8 +44,8 @@ public:
     WorldRecords build() {
         addGeneratedMaterials(records_, spec_.furnished);
         props_ = addProps(writer_, spec_.furnished);
-        houseLeaves_ = addHouseLeaves(writer_);
-        dungeonLeaves_ = addDungeonLeaves(writer_);
+        houseLeaves_ = addHouseLeaves(writer_, spec_.furnished);
+        dungeonLeaves_ = addDungeonLeaves(writer_, spec_.furnished);
         addRegion(writer_, addGeneratedPlants(writer_, spec_.furnished));
         raise();
         addTowns();

@@ -88,10 +88,18 @@ dat::RecordId pickProp(const Props& props, Random& random) {
     return props.standing[random.below(static_cast<std::uint32_t>(props.standing.size()))];
 }
 
-dat::RecordId addLeaf(ModelWriter& writer, double width, double height, bool opaque) {
-    if (!opaque)
-        return cardModel(writer, 0.0, width, 0.0, height, Material::LampGlass);
-    return boxModel(writer, {0.0, -0.03, 0.0}, {width, 0.03, height}, Material::Planks);
+dat::RecordId addLeaf(ModelWriter& writer, const LeafSpec& leaf) {
+    if (!leaf.opaque)
+        return cardModel(writer, 0.0, leaf.width, 0.0, leaf.height,
+                         leaf.furnished ? Material::Glass : Material::LampGlass);
+    if (!leaf.furnished)
+        return boxModel(writer, {0.0, -0.03, 0.0}, {leaf.width, 0.03, leaf.height}, Material::Planks);
+    FaceMesh mesh;
+    mesh.beam({0.0, -0.03, 0.0}, {leaf.width, 0.03, leaf.height}, Material::OldPlanks);
+    for (const double z : {0.25, leaf.height - 0.4})
+        mesh.box({0.01, -0.037, z}, {0.8 * leaf.width, 0.037, z + 0.06}, Material::Iron);
+    mesh.box({leaf.width - 0.13, -0.045, 0.98}, {leaf.width - 0.08, 0.045, 1.12}, Material::Iron);
+    return writer.addMesh(mesh);
 }
 
 } // namespace limen::worlds

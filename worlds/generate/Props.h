@@ -26,7 +26,12 @@ struct Props {
 /// A random prop that stands on a floor.
 [[nodiscard]] dat::RecordId pickProp(const Props& props, Random& random);
 
-/// A door leaf, hinge at the origin, along +x, `width` × `height` metres; glass if not opaque.
-[[nodiscard]] dat::RecordId addLeaf(ModelWriter& writer, double width, double height, bool opaque);
+struct LeafSpec {
+    double width = 1.0, height = 2.0; ///< metres
+    bool opaque = true;               ///< else glass
+    bool furnished = false;           ///< as in the built-in world
+};
+/// A door leaf, hinge at the origin, along +x.
+[[nodiscard]] dat::RecordId addLeaf(ModelWriter& writer, const LeafSpec& leaf);
 
 } // namespace limen::worlds

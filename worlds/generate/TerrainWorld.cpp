@@ -32,7 +32,7 @@ public:
     WorldRecords build() {
         addGeneratedMaterials(records_, spec_.furnished);
         props_ = addProps(writer_, spec_.furnished);
-        leaves_ = addHouseLeaves(writer_);
+        leaves_ = addHouseLeaves(writer_, spec_.furnished);
         addRegion(writer_, addGeneratedPlants(writer_, spec_.furnished));
         const std::uint32_t first = random_.below(static_cast<std::uint32_t>(Site::Count));
         std::uint32_t site = 0;

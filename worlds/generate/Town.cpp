@@ -25,7 +25,7 @@ public:
     WorldRecords build() {
         addGeneratedMaterials(records_, spec_.furnished);
         props_ = addProps(writer_, spec_.furnished);
-        leaves_ = addHouseLeaves(writer_);
+        leaves_ = addHouseLeaves(writer_, spec_.furnished);
         addRegion(writer_, addGeneratedPlants(writer_, spec_.furnished));
         roll();
         TownBlocks town({writer_, props_, leaves_, notes_}, land_, random_);
@@ -62,7 +62,7 @@ private:
             for (int vy = 0; vy < land_.verticesY(); ++vy) {
                 land_.setHeight(vx, vy, kTownGround + static_cast<int>(random_.below(4)));
                 land_.setCover(vx, vy, random_.chance(0.3) ? TerrainKind::PackedDirt : TerrainKind::LushGrass,
-                               false);
+                               false, spec_.furnished ? 1 : 0);
             }
         }
     }
