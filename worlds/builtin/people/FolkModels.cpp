@@ -97,7 +97,7 @@ FaceMesh armMesh(const Clothes& c, double side, double bend) {
     const Vec3 elbow{side * 0.085, 0.02, -0.28};
     const Vec3 hand = elbow + Vec3(side * 0.01, 0.24 * std::sin(bend), -0.24 * std::cos(bend));
     // The ball of the shoulder: round about the axis about which the arm swings.
-    for (const auto& [z, lower, upper] : {std::array{-0.055, 0.058, 0.078}, std::array{0.0, 0.078, 0.045}}) {
+    for (const auto& [z, lower, upper] : {std::array{-0.055, 0.060, 0.074}, std::array{0.0, 0.074, 0.035}}) {
         mesh.cylinder({.base = {side * 0.02, 0, z},
                        .lower = lower,
                        .upper = upper,
@@ -106,7 +106,7 @@ FaceMesh armMesh(const Clothes& c, double side, double bend) {
                        .side = c.coat,
                        .cap = c.coat});
     }
-    mesh.strut({side * 0.022, 0, 0.02}, elbow + Vec3(0, 0.01, -0.03), {1, 0, 0}, 0.105, 0.11, c.coat);
+    mesh.strut({side * 0.03, 0, -0.03}, elbow + Vec3(0, 0.01, -0.03), {1, 0, 0}, 0.105, 0.11, c.coat);
     mesh.strut(elbow + Vec3(0, 0.0, 0.01), hand, {1, 0, 0}, 0.088, 0.088, c.coat);
     const Vec3 ahead = glm::normalize(hand - elbow);
     mesh.strut(hand - ahead * 0.01, hand + ahead * 0.10, {1, 0, 0}, 0.062, 0.075, Material::Skin);

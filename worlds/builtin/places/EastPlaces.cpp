@@ -141,7 +141,7 @@ std::vector<std::pair<std::string, Eye>> eastPlaces(const VillageMap& map) {
     };
     const Vec3 balcony{1.4, -0.9, inn::kBalcony + kEyeHeight};
     return {
-        {"inn.hall", inside(InnCell::Hall, {1.2, 2.35, kEyeHeight}, {-4.6, 4.3, 1.25})},
+        {"inn.hall", inside(InnCell::Hall, {1.2, 2.5, kEyeHeight}, {-4.6, 4.9, 1.25})},
         {"inn.balcony", eyeTowards(globalOf(map.inn, balcony), globalOf(map.inn, {-16.0, -10.0, 1.4}), 0)},
         {"inn.basement",
          inside(InnCell::Basement, {4.2, 9.1, inn::kBasement + kEyeHeight}, {-1.5, 6.6, -1.5})},
