@@ -26,7 +26,7 @@ struct GeneratedSpec {
     /// space.
     double overlapShare = 0.02;
     /// With the built-in world's pictures, furniture and lights. Else pictures of 32 x 32 texels and few props, which are
-    /// quick to make. Cells, portals and doors are of the same kinds.
+    /// quick to make. Cells, portals, doors and places are the same.
     bool furnished = false;
 };
 

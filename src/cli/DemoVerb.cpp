@@ -66,8 +66,8 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
         return tl::unexpected(made.error());
     std::optional<Waiting> waiting(std::in_place, console, "writing the world");
     const Result<void> written =
-        kind ? worlds::writeGeneratedWorld(
-                   {*kind, chosen.size, chosen.seed, chosen.overlap, !chosen.bare}, directory)
+        kind ? worlds::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap, !chosen.bare},
+                                           directory)
              : worlds::writeBuiltInWorld(directory);
     waiting.reset();
     if (!written)

@@ -118,7 +118,8 @@ TEST(VillagersGaits, keepTheJointsOfArmsAndHeadInTheBody) {
                     // A neck ends at the joint. An arm that holds something does not follow the body's turns.
                     const Vec3 joint = a.pose(part, at).origin - Vec3(0.0, 0.0, 0.005);
                     const bool holds = a.villager.name == "watchman" || a.villager.name == "carter";
-                    EXPECT_TRUE(isInHull(joint, body, holds && part != kHead ? 0.03 : 0.0)) << a.villager.name << " part " << part << " at " << at;
+                    EXPECT_TRUE(isInHull(joint, body, holds && part != kHead ? 0.03 : 0.0))
+                        << a.villager.name << " part " << part << " at " << at;
                 }
             }
         }

@@ -60,9 +60,11 @@ float difference(const std::vector<float>& a, const std::vector<float>& b) {
 
 TEST(BlendMaps, ofLanesContinueAcrossTheBordersOfLandcells) {
     const Canvas corner = paintBlend(BlendShape::RoadCorner, 1), side = paintBlend(BlendShape::RoadSide, 2),
-                 other = paintBlend(BlendShape::RoadSide, 3), diagonal = paintBlend(BlendShape::RoadDiagonal, 4);
+                 other = paintBlend(BlendShape::RoadSide, 3),
+                 diagonal = paintBlend(BlendShape::RoadDiagonal, 4);
     EXPECT_LT(difference(borderOf(side, 1), borderOf(other, 3)), 0.1f) << "a straight lane";
-    EXPECT_LT(difference(borderOf(corner, 1), borderOf(diagonal, 1)), 0.1f) << "a diagonal and the corner beside it";
+    EXPECT_LT(difference(borderOf(corner, 1), borderOf(diagonal, 1)), 0.1f)
+        << "a diagonal and the corner beside it";
     EXPECT_LT(difference(borderOf(corner, 0), borderOf(diagonal, 0)), 0.1f);
 }
 
@@ -87,7 +89,8 @@ TEST(Scenery, isNeverInTheStream) {
             continue;
         ++count;
         const Vec3 at = instance.bounds.centre - toGlobal(Vec3(0.0));
-        EXPECT_GT(kLandcell * distanceToStream(at.x / kLandcell, at.y / kLandcell), kWater) << at.x << " " << at.y;
+        EXPECT_GT(kLandcell * distanceToStream(at.x / kLandcell, at.y / kLandcell), kWater)
+            << at.x << " " << at.y;
     }
     EXPECT_GT(count, 1000u);
 }
@@ -133,7 +136,8 @@ TEST(Exteriors, haveNoLongLevelLedgesNearTheGround) {
         if (s.kind != SurfaceKind::Exterior || s.points.size() != 4)
             continue;
         const auto [width, length] = sizeOf(s);
-        const bool ledge = width < 0.15 && length > 1.5 && s.box.max.z < siteLevel() + kFloorAboveGround + 0.5;
+        const bool ledge =
+            width < 0.15 && length > 1.5 && s.box.max.z < siteLevel() + kFloorAboveGround + 0.5;
         EXPECT_FALSE(ledge && s.plane.n.z > 0.99) << s.name << " " << s.box.min.x << " " << s.box.min.y;
         slopes += width < 0.2 && length > 1.5 && s.plane.n.z > 0.6 && s.plane.n.z < 0.8 ? 1 : 0;
     }

@@ -66,7 +66,8 @@ double besideView(const nlohmann::ordered_json& place, const Vec3& point) {
 }
 
 TEST(Places, haveNoOpenDoorJustBeforeTheEye) {
-    constexpr double kHalfView = 35.0, kNear = 2.0, kLeaf = 0.9; // degrees; metres; metres of a leaf that are sampled
+    constexpr double kHalfView = 35.0, kNear = 2.0,
+                     kLeaf = 0.9; // degrees; metres; metres of a leaf that are sampled
     std::size_t leaves = 0;
     for (const auto& [name, place] : world().worldFile.at("places").items()) {
         for (const auto& door : world().worldFile.at("doors")) {

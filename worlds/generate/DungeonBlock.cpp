@@ -123,10 +123,12 @@ private:
     void furnish(const LatticeRoom& room, WorldNotes& notes) {
         if (props_.furnished) {
             std::vector<Furnishing> furniture;
-            furnishRoom(furniture, room, props_, Random(random_.next()));
+            furnishRoom(furniture, room, props_, apartFrom(random_));
             for (const Furnishing& piece : furniture)
                 addStatic(room.cell, piece.model, {room.floor + piece.at.origin, piece.at.turn});
-        } else if (room.form == Form::Box && random_.chance(0.5))
+        }
+        const bool lamp = room.form == Form::Box && random_.chance(0.5);
+        if (lamp && !props_.furnished)
             addStatic(room.cell, props_.lamp, {room.floor + Vec3(-2.0, 2.0, 0.0), 0.0});
         if (random_.chance(0.3)) {
             // Clear of the hatch in the middle; in a small room a prop may intersect a wall.

@@ -40,14 +40,13 @@ public:
         : statics_(statics), room_(room), random_(random) {
         constexpr double kWay = 1.3, kSill = 0.5, kCorner = 1.2, kLedge = 0.8; // metres
         taken_.push_back({room.min.x, room.min.y, room.min.x + kCorner, room.min.y + kCorner});
-        for (const auto& [side, r] : openings) {
+        for (const auto& [side, r] : openings)
             if (side == Side::Floor || side == Side::Ceiling)
                 taken_.push_back({r.u0 - 0.4, r.v0 - 0.4, r.u1 + 0.4, r.v1 + 0.4});
             else if (r.v0 < room.min.z + kSill)
                 taken_.push_back(before(room, side, r.u0 - 0.15, r.u1 + 0.15, kWay));
             else
                 windows_.push_back(before(room, side, r.u0 - 0.1, r.u1 + 0.1, kLedge));
-        }
     }
 
     void atWall(const Piece& piece) {
@@ -65,7 +64,8 @@ public:
                 continue;
             taken_.push_back(place);
             const Placement wall{wallPoint(side, middle), 90.0 * turns};
-            statics_.push_back({piece.model, {worlds::place(wall, {0.0, -piece.back - kFromWall, 0.0}), wall.turn}});
+            statics_.push_back(
+                {piece.model, {worlds::place(wall, {0.0, -piece.back - kFromWall, 0.0}), wall.turn}});
             return;
         }
     }
@@ -124,8 +124,10 @@ private:
 
 /// True if a form of room lacks the corner towards these signs of x and y.
 bool lacksCorner(Form form, double x, double y) {
-    return (form == Form::NoSouthWest && x < 0.0 && y < 0.0) || (form == Form::NoSouthEast && x > 0.0 && y < 0.0) ||
-           (form == Form::NoNorthWest && x < 0.0 && y > 0.0) || (form == Form::NoNorthEast && x > 0.0 && y > 0.0);
+    return (form == Form::NoSouthWest && x < 0.0 && y < 0.0) ||
+           (form == Form::NoSouthEast && x > 0.0 && y < 0.0) ||
+           (form == Form::NoNorthWest && x < 0.0 && y > 0.0) ||
+           (form == Form::NoNorthEast && x > 0.0 && y > 0.0);
 }
 
 } // namespace
@@ -133,8 +135,9 @@ bool lacksCorner(Form form, double x, double y) {
 void furnishRoom(std::vector<Furnishing>& statics, const RoomSpec& room, std::span<const Opening> openings,
                  RoomUse use, const Props& props, Random random) {
     const Furniture& f = props.builtIn.house;
-    const Piece shelf{f.shelf, 0.6, 0.4, 0.0, true}, bed{f.bed, 0.6, 2.15, 1.06, false}, chest{f.chest, 0.55, 0.65, 0.33},
-        barrel{f.barrel, 0.37, 0.75, 0.37}, crate{f.crate, 0.4, 0.65, 0.31}, sacks{f.sacks, 0.6, 1.1, 0.4};
+    const Piece shelf{f.shelf, 0.6, 0.4, 0.0, true}, bed{f.bed, 0.6, 2.15, 1.06, false},
+        chest{f.chest, 0.55, 0.65, 0.33}, barrel{f.barrel, 0.37, 0.75, 0.37}, crate{f.crate, 0.4, 0.65, 0.31},
+        sacks{f.sacks, 0.6, 1.1, 0.4};
     constexpr double kBreast = 2.5; // metres: the height of a fireplace with its chimney breast
     RoomFurnisher furnisher(statics, room, openings, random);
     switch (use) {
@@ -157,7 +160,8 @@ void furnishRoom(std::vector<Furnishing>& statics, const RoomSpec& room, std::sp
     furnisher.lantern(f.lantern);
 }
 
-void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, const Props& props, Random random) {
+void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, const Props& props,
+                 Random random) {
     const DungeonProps& built = props.builtIn;
     const RoomSize& size = kRoomSizes[room.size];
     constexpr double kClear = 3.5; // metres: in wider walls, corners are clear of openings
@@ -181,7 +185,8 @@ void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, cons
                                 corner.y < 0.0 ? 180.0 : 0.0}});
         }
         if (piece)
-            statics.push_back({store, {{corner.x * (size.halfX - kPiece), corner.y * (size.halfY - kPiece), 0.0}, turn}});
+            statics.push_back(
+                {store, {{corner.x * (size.halfX - kPiece), corner.y * (size.halfY - kPiece), 0.0}, turn}});
     }
 }
 

@@ -9,6 +9,12 @@
 
 namespace limen::worlds {
 
+/// A generator with numbers of its own. The given one is not changed, so that equal seeds give equal layouts, furnished or not.
+[[nodiscard]] inline Random apartFrom(Random random) {
+    constexpr std::uint64_t kOfFurniture = 0x6675726E;
+    return Random(random.next() ^ kOfFurniture << 32);
+}
+
 /// The use of a room of a house.
 enum class RoomUse : std::uint8_t { Living, Sleeping, Storing };
 
@@ -19,6 +25,7 @@ void furnishRoom(std::vector<Furnishing>& statics, const RoomSpec& room, std::sp
 
 /// Adds a light in a dungeon's room, and torches and stores in its corners. Coordinates of the room, with
 /// the origin in the middle of the floor. Requires: props.furnished.
-void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, const Props& props, Random random);
+void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, const Props& props,
+                 Random random);
 
 } // namespace limen::worlds

@@ -149,7 +149,7 @@ private:
         cell.eye = {middle.x, middle.y, room.spec.min.z + 1.6};
         furnish(cell, room);
         if (props_.furnished)
-            furnishRoom(cell.statics, room.spec, openings, room.use, props_, Random(random_.next()));
+            furnishRoom(cell.statics, room.spec, openings, room.use, props_, apartFrom(random_));
         out_.plan.cells.push_back(std::move(cell));
     }
 

@@ -44,8 +44,20 @@ dat::RecordId standModel(ModelWriter& writer) {
     FaceMesh mesh;
     mesh.cylinder({.base = {0, 0, 0}, .lower = 0.22, .upper = 0.18, .height = 0.06, .sides = 10});
     mesh.beam({-0.025, -0.025, 0.06}, {0.025, 0.025, 1.15}, Material::Iron);
-    mesh.cylinder({.base = {0, 0, 1.15}, .lower = 0.06, .upper = 0.11, .height = 0.04, .sides = 10, .side = Material::Iron, .cap = Material::Iron});
-    mesh.cylinder({.base = {0, 0, 1.19}, .lower = 0.03, .upper = 0.028, .height = 0.14, .sides = 8, .side = Material::Wax, .cap = Material::Wax});
+    mesh.cylinder({.base = {0, 0, 1.15},
+                   .lower = 0.06,
+                   .upper = 0.11,
+                   .height = 0.04,
+                   .sides = 10,
+                   .side = Material::Iron,
+                   .cap = Material::Iron});
+    mesh.cylinder({.base = {0, 0, 1.19},
+                   .lower = 0.03,
+                   .upper = 0.028,
+                   .height = 0.14,
+                   .sides = 8,
+                   .side = Material::Wax,
+                   .cap = Material::Wax});
     FaceMesh flame;
     for (const Vec3& side : {Vec3(0.045, 0, 0), Vec3(0, 0.045, 0)}) {
         const Vec3 foot(0.0, 0.0, 1.32), up(0.0, 0.0, 0.13);
@@ -62,8 +74,10 @@ void furnish(ModelWriter& writer, Props& props) {
     const Furniture& house = props.builtIn.house;
     props.crate = house.crate;
     props.lamp = standModel(writer);
-    props.standing = {props.pillar, props.screen, props.lamp,  house.crate, house.barrel,
-                      house.chest,  house.sacks,  house.stool, house.bench};
+    props.standing = {{props.pillar},
+                      {props.screen},
+                      {props.lamp},
+                      {house.crate, house.barrel, house.chest, house.sacks, house.stool, house.bench}};
 }
 
 } // namespace
@@ -78,14 +92,17 @@ Props addProps(ModelWriter& writer, bool furnished) {
     props.pole = boxModel(writer, {-0.07, -0.07, -0.8}, {0.07, 0.07, 0.8}, Material::Beam);
     props.fence = boxModel(writer, {0.0, -0.05, -0.5}, {3.0, 0.05, 1.2}, Material::OldPlanks);
     props.lamp = lampModel(writer);
-    props.standing = {props.pillar, props.screen, props.lamp, props.crate};
+    props.standing = {{props.pillar}, {props.screen}, {props.lamp}, {props.crate}};
     if (furnished)
         furnish(writer, props);
     return props;
 }
 
 dat::RecordId pickProp(const Props& props, Random& random) {
-    return props.standing[random.below(static_cast<std::uint32_t>(props.standing.size()))];
+    // One number for both choices: equal seeds give equal layouts, furnished or not.
+    const std::uint64_t drawn = static_cast<std::uint64_t>(random.next()) * props.standing.size();
+    const std::vector<dat::RecordId>& kind = props.standing[drawn >> 32];
+    return kind[(drawn & 0xFFFFFFFFu) * kind.size() >> 32];
 }
 
 dat::RecordId addLeaf(ModelWriter& writer, const LeafSpec& leaf) {

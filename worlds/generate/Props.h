@@ -16,8 +16,8 @@ struct Props {
     dat::RecordId pole = 0;   ///< 1.6 m along z, around its origin
     dat::RecordId fence = 0;  ///< 3 m along x, from the origin
     dat::RecordId lamp = 0;   ///< a candle that lights its room
-    /// The models that pickProp chooses from: at least a crate, a pillar, a screen and a lamp.
-    std::vector<dat::RecordId> standing;
+    /// The models that pickProp chooses from, by kind: pillars, screens, lamps, crates and the like.
+    std::vector<std::vector<dat::RecordId>> standing;
     bool furnished = false;
     DungeonProps builtIn; ///< if furnished: furniture and lights of the built-in world
 };

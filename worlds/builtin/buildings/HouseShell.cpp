@@ -124,7 +124,8 @@ void addPlinthPiece(FaceMesh& mesh, const HouseShell& h, Side side, const Rect& 
         double out, z;
     };
     const std::array<Corner, 4> profile{Corner{-kBedded, r.v0}, Corner{kPlinthOut, r.v0},
-                                        Corner{kPlinthOut, r.v1 - kEdge}, Corner{-kBedded, r.v1 - kEdge + rise}};
+                                        Corner{kPlinthOut, r.v1 - kEdge},
+                                        Corner{-kBedded, r.v1 - kEdge + rise}};
     std::vector<Vec3> from, to;
     for (const Corner& c : profile) {
         from.push_back(onWall(h, side, r.u0 - (west ? c.out : 0.0), c.out, c.z));

@@ -9,7 +9,8 @@ namespace limen::worlds {
 namespace {
 
 constexpr double kNeck = 1.48;
-constexpr double kShoulderOut = 0.205, kShoulderUp = 1.365; ///< metres; inside the body, so that no pose parts the arm from it
+constexpr double kShoulderOut = 0.205,
+                 kShoulderUp = 1.365; ///< metres; inside the body, so that no pose parts the arm from it
 
 struct Clothes {
     Material coat = Material::BrownCloth, legs = Material::GreenCloth;
@@ -153,7 +154,8 @@ std::vector<SetupPart> person(ModelWriter& writer, const Clothes& c, const Bends
 }
 
 /// Adds a person's shadow as the last part, which keeps the pose of the Setup.
-dat::RecordId addPerson(ModelWriter& writer, std::vector<SetupPart> parts, dat::RecordId shadow, dat::RecordId gaits) {
+dat::RecordId addPerson(ModelWriter& writer, std::vector<SetupPart> parts, dat::RecordId shadow,
+                        dat::RecordId gaits) {
     parts.push_back({shadow, {}});
     return writer.addSetup(parts, {}, gaits);
 }
@@ -232,9 +234,9 @@ dat::RecordId addCarter(ModelWriter& writer, dat::RecordId shadow) {
     parts.push_back({wheel, {{0.70, kAxle, kWheelRadius}, 0.0}});
     parts.push_back({shadow, {}});
     parts.push_back({writer.addMesh(shadowMesh({0.9, 1.0}), false), {{0.0, kAxle, 0.0}, 0.0}});
-    const std::vector<Role> roles{Role::Body,     Role::Head, Role::Held, Role::Held,
-                                  Role::LeftLeg,  Role::RightLeg, Role::Held,   Role::Wheel,
-                                  Role::Wheel,    Role::Held, Role::Held};
+    const std::vector<Role> roles{Role::Body,    Role::Head,     Role::Held, Role::Held,
+                                  Role::LeftLeg, Role::RightLeg, Role::Held, Role::Wheel,
+                                  Role::Wheel,   Role::Held,     Role::Held};
     return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
 }
 
@@ -255,23 +257,25 @@ FolkModels addFolkModels(ModelWriter& writer, const Effects& effects) {
         writer,
         person(writer, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}),
         shadow, gowned);
-    m.maid = addPerson(writer,
-                       person(writer,
-                              {.coat = Material::BlueCloth, .legs = Material::Hair, .gown = true, .apron = true},
-                              {0.6, 0.6}),
-                       shadow, gowned);
+    m.maid = addPerson(
+        writer,
+        person(writer, {.coat = Material::BlueCloth, .legs = Material::Hair, .gown = true, .apron = true},
+               {0.6, 0.6}),
+        shadow, gowned);
     m.farmer = addPerson(writer, std::move(farmer), shadow, free);
     m.elder = addPerson(
-        writer, person(writer, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}),
+        writer,
+        person(writer, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}),
         shadow, gowned);
     m.watchman = addWatchman(writer, shadow);
     writer.setEffects(m.watchman, {.scriptTable = effects.watchmansScripts});
     m.carter = addCarter(writer, shadow);
     writer.setEffects(m.carter, {.script = effects.cartScript});
-    m.traveller = addPerson(
-        writer,
-        person(writer, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true}, {0.25, 0.25}),
-        shadow, free);
+    m.traveller =
+        addPerson(writer,
+                  person(writer, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true},
+                         {0.25, 0.25}),
+                  shadow, free);
     const dat::RecordId cloaked =
         writer.addMesh(bodyMesh({.coat = Material::Rug, .legs = Material::BrownCloth}), false);
     m.cloak = addCloak(writer, {m.farmer, m.traveller}, cloaked);
