@@ -130,6 +130,30 @@ bool lacksCorner(Form form, double x, double y) {
            (form == Form::NoNorthEast && x > 0.0 && y > 0.0);
 }
 
+/// The place of a dungeon room's light on the floor, beside the eye of its place.
+Vec3 lightPoint(Form form) {
+    constexpr double kAway = 2.0; // metres; every room is at least 6 m long and wide
+    const Vec3 eye = eyePoint(form);
+    switch (form) {
+    case Form::Box:
+    case Form::NoSouthEast:
+        return {-kAway, kAway, 0.0};
+    case Form::NoSouthWest:
+        return {kAway, kAway, 0.0};
+    case Form::NoNorthWest:
+        return {kAway, -kAway, 0.0};
+    case Form::NoNorthEast:
+        return {-kAway, -kAway, 0.0};
+    case Form::NoWest:
+    case Form::NoEast:
+        return {eye.x, kAway, 0.0};
+    case Form::NoSouth:
+    case Form::NoNorth:
+        break;
+    }
+    return {kAway, eye.y, 0.0};
+}
+
 } // namespace
 
 void furnishRoom(std::vector<Furnishing>& statics, const RoomSpec& room, std::span<const Opening> openings,
@@ -165,9 +189,7 @@ void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, cons
     const DungeonProps& built = props.builtIn;
     const RoomSize& size = kRoomSizes[room.size];
     constexpr double kClear = 3.5; // metres: in wider walls, corners are clear of openings
-    const Vec3 eye = eyePoint(room.form);
-    const Vec3 light = room.form == Form::Box ? Vec3(-2.0, 2.0, 0.0) : Vec3(1.5 * eye.x, 1.5 * eye.y, 0.0);
-    statics.push_back({random.chance(0.6) ? built.brazier : props.lamp, {light, 0.0}});
+    statics.push_back({random.chance(0.6) ? built.brazier : props.lamp, {lightPoint(room.form), 0.0}});
     for (const Vec2& corner : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
         constexpr double kTorchUp = 1.9, kFromCorner = 1.2, kPiece = 0.7; // metres
         const bool torch = random.chance(0.8), piece = random.chance(0.4);

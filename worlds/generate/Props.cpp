@@ -73,6 +73,7 @@ void furnish(ModelWriter& writer, Props& props) {
     props.builtIn = addDungeonProps(writer, addFurniture(writer));
     const Furniture& house = props.builtIn.house;
     props.crate = house.crate;
+    props.pane = cardModel(writer, -0.5, 0.5, -0.5, 0.5, Material::Glass);
     props.lamp = standModel(writer);
     props.standing = {{props.pillar},
                       {props.screen},
