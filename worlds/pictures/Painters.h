@@ -29,7 +29,8 @@ struct BoardStyle {
 
 [[nodiscard]] Canvas paintRug();
 [[nodiscard]] Canvas paintBlanket();
-[[nodiscard]] Canvas paintLinen();
+/// Woven cloth; `threads`: along each side of the picture.
+[[nodiscard]] Canvas paintLinen(const Vec3f& colour, int threads);
 [[nodiscard]] Canvas paintBooks();
 [[nodiscard]] Canvas paintEmbers();
 [[nodiscard]] Canvas paintFlame(); ///< does not tile; alpha is the glow

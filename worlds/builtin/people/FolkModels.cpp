@@ -205,8 +205,8 @@ FaceMesh cartMesh() {
                        .upper = 0.15,
                        .height = 0.48,
                        .sides = 10,
-                       .side = Material::Linen,
-                       .cap = Material::Linen});
+                       .side = Material::Sacking,
+                       .cap = Material::Sacking});
     }
     mesh.box({0.05, 0.30, 0.67}, {0.50, 0.80, 1.02}, Material::OldPlanks);
     return mesh;
