@@ -22,9 +22,9 @@ using uint = std::uint32_t;
 #define LIMEN_CONST const uint
 #endif
 
-// Storage buffer bindings. "Static": written when a scene is uploaded. "GPU": written by cull.comp in
-// each frame.
-LIMEN_CONST kBindFrame = 0;        // FrameConstants, one
+// Storage buffer bindings, but for the first, a uniform block. "Static": written when a scene is uploaded. "GPU":
+// written by cull.comp in each frame.
+LIMEN_CONST kBindFrame = 0;        // FrameConstants, one (std140)
 LIMEN_CONST kBindMaterials = 1;    // Material (static)
 LIMEN_CONST kBindMaterialRefs = 2; // uint (static)
 LIMEN_CONST kBindTerrain = 3;      // TerrainCell (static)

@@ -7,12 +7,12 @@
 #define EXACT
 #endif
 
-// Read by every stage.
-layout(std430, binding = kBindFrame) readonly buffer FrameBuffer { FrameConstants constantsInBuffer; };
-
-// Read once, before any branch: software drivers read a storage buffer lane by lane within one.
-ViewConstants frame = constantsInBuffer.view;
-DeviceConstants device = constantsInBuffer.device;
+// Read by every stage. FrameConstants as a uniform block: software drivers read storage buffers lane by lane in
+// fragments, even at an address that all lanes share.
+layout(std140, binding = kBindFrame) uniform FrameBlock {
+    ViewConstants frame;
+    DeviceConstants device;
+};
 
 // Drivers count declared blocks. Some allow 16 per stage, and 8 in compute.
 #ifdef COMPUTE_STAGE

@@ -125,9 +125,9 @@ Result<Capabilities> queryCapabilities() {
     caps.maxSamples = static_cast<std::uint32_t>(
         std::max(1, std::min({limitOf(GL_MAX_COLOR_TEXTURE_SAMPLES), limitOf(GL_MAX_DEPTH_TEXTURE_SAMPLES),
                               limitOf(GL_MAX_INTEGER_SAMPLES)})));
-    caps.storageAlignment =
-        static_cast<std::size_t>(std::max({limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT),
-                                           limitOf(GL_TEXTURE_BUFFER_OFFSET_ALIGNMENT), 16}));
+    caps.storageAlignment = static_cast<std::size_t>(std::max(
+        {limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT), limitOf(GL_TEXTURE_BUFFER_OFFSET_ALIGNMENT),
+         limitOf(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT), 16}));
     return caps;
 }
 
