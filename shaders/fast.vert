@@ -61,7 +61,7 @@ void setAlpha(Material material, float opacity) {
     float least = !hasParts ? leastAlpha(material.flags) : areDrawn ? kSolidAlpha : kAnyAlpha; // else the blended part alone is drawn
     // w: the size of a cut-out's picture in texels, for farShare; 0: `least` counts at every distance
     bool isCutOut = !hasParts && material.texture != kNoTexture;
-    float size = isCutOut ? largerSide(textureRefs[material.texture]) : 0.0;
+    float size = isCutOut ? largerSide(textureRefAt(material.texture)) : 0.0;
     vAlpha = alphaOf(material, material.colour.a * (hasParts ? opacity : 1.0), false, vec2(least, size));
 #else
     vAlpha = blendedAlpha(material, opacity, hasParts && areDrawn ? vec2(kLeastAlpha, kSolidAlpha + kSplitOverlap) : kAllAlpha);
@@ -70,7 +70,7 @@ void setAlpha(Material material, float opacity) {
 #endif
 
 void setSurface(vec3 eyeRelative) {
-    Material material = materials[materialRefs[inLook.x + (inPolygonSurface >> 16)]];
+    Material material = materialAt(materialRefAt(inLook.x + (inPolygonSurface >> 16)));
     float fogged = 1.0;
 #ifdef BLENDED
     vCover = (material.flags & kMaterialAdditive) != 0u ? 0.0 : 1.0;
@@ -97,7 +97,7 @@ void main() {
     vTexture = uvec2(inLook.x + (inPolygonSurface >> 16), 0u);
 #ifdef PAGES_BY_INDEX
     for (uint i = 0u; i < kPackedVectors; ++i) {
-        vLayers[i] = packedLayers[vTexture.x * kPackedVectors + i];
+        vLayers[i] = packedLayersAt(vTexture.x * kPackedVectors + i);
     }
 #endif
 #else

@@ -220,6 +220,7 @@ void Application::drawOverlay() {
                            .driver = world_ ? world_->session().driver() : std::string(),
                            .fontNote = overlay_.fontNote(),
                            .scale = scale_.facts(),
+                           .uiScale = uiScaleWanted(),
                            .hasGamepad = window_.hasGamepad()};
     const PageChoice choice = drawnPages_.draw(ui_, facts);
     if (world_ && pages_.page == Page::Map)
@@ -244,6 +245,8 @@ void Application::take(const PageChoice& choice) {
         takeNew(*choice.settings);
     if (choice.scale)
         takeScale(*choice.scale);
+    if (choice.uiScale)
+        takeUiScale(*choice.uiScale);
     if (choice.place && world_)
         world_->act({play::PlayActKind::Place, static_cast<double>(*choice.place)});
     if (choice.event)
@@ -268,8 +271,11 @@ void Application::takeNew(const Settings& settings) {
         world_->act({play::PlayActKind::Fov, settings_.fieldOfView});
     if (settings_.isFullScreen != window_.isFullScreen())
         window_.switchFullScreen();
-    if (settings_.uiScale != before.uiScale)
-        options_.uiScale.reset(); // a choice in the window wins over the command line
+}
+
+void Application::takeUiScale(double scale) {
+    settings_.uiScale = scale;
+    options_.uiScale.reset(); // a choice in the window wins over the command line
 }
 
 } // namespace limen::viewer

@@ -128,6 +128,7 @@ private:
     void drawPhoto();
     void take(const PageChoice& choice);
     void takeNew(const Settings& settings);
+    void takeUiScale(double scale);
     void takeScale(const ScaleWish& wish);
     void keepSettings();
     void notice(std::string text);

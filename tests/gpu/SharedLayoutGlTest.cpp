@@ -1,5 +1,6 @@
 #include "GlFixture.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
 #include <fstream>
@@ -208,6 +209,43 @@ TEST_F(SharedLayoutGlTest, everyMemberLiesWhereTheDriverReadsIt) {
         EXPECT_EQ(reported, shared.members) << shared.name;
         EXPECT_EQ(stride, shared.size) << shared.name;
     }
+}
+
+/// Offsets of the frame's uniform block, by the names of its members behind "entries[0].".
+Offsets frameBlockOf(GLuint program) {
+    Offsets offsets;
+    GLint count = 0;
+    glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
+    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+        std::array<GLchar, 128> name{};
+        GLsizei length = 0;
+        glGetProgramResourceName(program, GL_UNIFORM, i, name.size(), &length, name.data());
+        constexpr std::array<GLenum, 1> kWanted{GL_OFFSET};
+        GLint offset = 0;
+        glGetProgramResourceiv(program, GL_UNIFORM, i, 1, kWanted.data(), 1, nullptr, &offset);
+        offsets["entries[0]." + std::string(name.data(), static_cast<std::size_t>(length))] =
+            static_cast<std::size_t>(offset);
+    }
+    return offsets;
+}
+
+// The frame's constants are read by std140, all other structs by std430.
+TEST_F(SharedLayoutGlTest, theFramesUniformBlockHasTheSameLayout) {
+    const std::string text =
+        fmt::format("#version 450 core\n{}\nlayout(local_size_x = 1) in;\n"
+                    "layout(std140, binding = kBindFrame) uniform FrameBlock {{ ViewConstants view; "
+                    "DeviceConstants device; }};\n"
+                    "layout(std430, binding = 1) buffer Out {{ FrameConstants result; }};\n"
+                    "void main() {{ result.view = view; result.device = device; }}\n",
+                    header_);
+    const Result<Program> program = Program::link("frame", {{GL_COMPUTE_SHADER, "frame", text}});
+    ASSERT_TRUE(program) << program.error().message();
+    const std::vector<SharedStruct> structs = sharedStructs();
+    const auto expected = std::find_if(structs.begin(), structs.end(), [](const SharedStruct& shared) {
+        return std::string_view(shared.name) == "FrameConstants";
+    });
+    ASSERT_NE(expected, structs.end());
+    EXPECT_EQ(frameBlockOf(program->id()), expected->members);
 }
 
 /// Names of the structs that the header defines.

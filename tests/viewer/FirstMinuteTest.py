@@ -10,7 +10,9 @@ import signal
 import subprocess
 import sys
 import unittest
+import urllib.parse
 
+from DragSource import DragSource
 from WindowDriver import Followed, WindowTest
 
 WindowTest.program = PROGRAM = sys.argv.pop(1)
@@ -86,6 +88,22 @@ class FirstMinute(WindowTest):
         with self.open("--dat", own["world"], size="160x90") as view:
             self.assertLess(math.dist(view.state["eye"], last["eye"]), 0.1)
 
+    def test_a_dropped_directory_is_opened(self):
+        world = self.demo("dropped wörld")
+        source = DragSource(self.display)
+        try:
+            with self.open() as view:
+                uris = "file://" + urllib.parse.quote(world) + "\r\n"
+                self.assertTrue(source.drop(view.window, 100, 100, uris))
+                view.until(lambda s: s["world"] == world, "its world")
+                view.page("world")
+                self.assertTrue(source.drop(view.window, 100, 100, "file:///proc/nothing\r\n"))
+                wrong = view.until(lambda s: s["error"], "the reason")
+                self.assertIn("/proc/nothing", wrong["error"])
+                self.assertEqual(wrong["world"], world)
+        finally:
+            source.close()
+
     def test_a_wrong_directory_shows_the_reason_and_the_world_stays(self):
         with self.open() as view:
             before = view.latest()
@@ -141,6 +159,15 @@ class FirstMinute(WindowTest):
             view.press("Escape")
             view.page("world")
             self.assertEqual(view.leave(), (0, ""))
+
+    def test_the_size_of_letters_starts_at_the_one_in_use(self):
+        self.write_settings('{"ui_scale": 2.25}')
+        with self.open("--ui-scale", "1") as view:
+            view.menu()
+            view.choose("Graphics")
+            view.page("graphics")
+            view.choose("ui scale")  # the middle of 0.5 to 4, equal to the settings
+            view.until(lambda s: s["ui_scale"] == 2.25, "the size of the slider's middle")
 
     def test_a_click_captures_the_mouse_and_tab_releases_it(self):
         self.write_settings('{"ui_scale": 2.0, "mouse_sensitivity": 2.0, "theme": "of another program"}')

@@ -14,7 +14,7 @@ namespace {
 // Storage buffers of SharedLayout.h, and the most that the programs of a stage read. Some drivers allow a
 // stage 16.
 constexpr int kStorageBindings = static_cast<int>(frame::gpu::kStorageBindings);
-constexpr int kVertexBlocks = 10, kFragmentBlocks = 10, kComputeBlocks = 5;
+constexpr int kVertexBlocks = 5, kFragmentBlocks = 5, kComputeBlocks = 5;
 // The ownership target, the arrays read as texels, and at least one array page for each wrapping mode.
 constexpr int kLeastTextureUnits = static_cast<int>(frame::gpu::kUnitFirstPage) + 2;
 // for stages that sample no page
@@ -125,9 +125,9 @@ Result<Capabilities> queryCapabilities() {
     caps.maxSamples = static_cast<std::uint32_t>(
         std::max(1, std::min({limitOf(GL_MAX_COLOR_TEXTURE_SAMPLES), limitOf(GL_MAX_DEPTH_TEXTURE_SAMPLES),
                               limitOf(GL_MAX_INTEGER_SAMPLES)})));
-    caps.storageAlignment =
-        static_cast<std::size_t>(std::max({limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT),
-                                           limitOf(GL_TEXTURE_BUFFER_OFFSET_ALIGNMENT), 16}));
+    caps.storageAlignment = static_cast<std::size_t>(std::max(
+        {limitOf(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT), limitOf(GL_TEXTURE_BUFFER_OFFSET_ALIGNMENT),
+         limitOf(GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT), 16}));
     return caps;
 }
 

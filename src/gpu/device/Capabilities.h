@@ -22,7 +22,7 @@ struct Capabilities {
     /// per pixel, for colour, depth and integer images alike; 1: no multisampling
     std::uint32_t maxSamples = 4;
     std::uint32_t maxBufferTexels = 65536; ///< of a buffer read as a texture
-    std::size_t storageAlignment = 256;    ///< of storage offsets in ring memory, bytes
+    std::size_t storageAlignment = 256;    ///< of offsets in ring memory, bytes, for every use of a buffer
 };
 
 /// Queries the current context. Errors: Driver, with one message that names the driver and every missing

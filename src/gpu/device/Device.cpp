@@ -21,6 +21,10 @@ bool StateTracker::enableDepthWrite() {
     return !std::exchange(current_.writeDepth, true);
 }
 
+bool StateTracker::setViewport(const Viewport& viewport) {
+    return std::exchange(viewport_, viewport) != viewport;
+}
+
 bool StateTracker::disableCulling() {
     return std::exchange(current_.cullBackFaces, false);
 }

@@ -186,7 +186,8 @@ public:
     /// Starts a frame on `target` and yields its ring memory, at least as reserved. Waits if the GPU is three
     /// frames behind.
     [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) = 0;
-    /// Binds range i to storage binding i.
+    /// Binds range kBindFrame as the uniform block, and every other range i to storage binding i. At
+    /// least the first.
     virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
     /// Binds the target's ownership and depth images and the ring memory to their units, and `textures` from
     /// kUnitVertices on. `withDrawn`: the target's colour and id images take the place of the textures at
@@ -243,9 +244,13 @@ public:
     [[nodiscard]] bool disableCulling();
     /// The current program is unknown: foreign code set another, or it was destroyed.
     void forgetProgram() { current_.program = ProgramHandle::Invalid; }
+    /// True if the viewport must be set; records it as set.
+    [[nodiscard]] bool setViewport(const Viewport& viewport);
+    [[nodiscard]] const Viewport& viewport() const { return viewport_; }
 
 private:
     DrawState current_;
+    Viewport viewport_;
 };
 
 } // namespace limen::gpu

@@ -11,8 +11,9 @@ namespace limen::gpu {
 namespace {
 
 constexpr std::size_t kMaxBindings = frame::gpu::kStorageBindings; // bound in one call
-constexpr GLuint kFirstBinding = 0,
-                 kFirstUnit = 0;      // arrays passed to glBind...s are indexed by binding and unit
+constexpr GLuint kFirstBinding =
+    frame::gpu::kBindFrame + 1;       // of storage; the frame's constants are a uniform block
+constexpr GLuint kFirstUnit = 0;      // arrays passed to glBind...s are indexed by binding and unit
 constexpr GLint kDepthDrawBuffer = 0; // the only number that OpenGL accepts for depth
 constexpr std::size_t kMaxUnits = 64;
 constexpr GLuint64 kFenceTimeoutNanoseconds = 1'000'000'000;
@@ -53,7 +54,11 @@ void GlDevice::restoreState() {
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.id());
     for (GLuint unit = 0; unit < capabilities_.textureUnits; ++unit)
         glBindSampler(unit, 0);
+    const Viewport viewport = state_.viewport();
+    glViewport(viewport.x, viewport.y, static_cast<GLsizei>(viewport.width),
+               static_cast<GLsizei>(viewport.height));
     state_ = StateTracker{};
+    static_cast<void>(state_.setViewport(viewport));
 }
 
 // Waits until the GPU no longer reads a ring slot. Counted calls are part of a frame.
@@ -123,13 +128,14 @@ std::span<std::byte> GlDevice::beginFrame(TargetHandle target, const Viewport& v
     frameCalls_ = 0;
     ringSlot_ = (ringSlot_ + 1) % kFramesInFlight;
     waitForFence(ringSlot_, true);
-    call(glViewport, viewport.x, viewport.y, static_cast<GLsizei>(viewport.width),
-         static_cast<GLsizei>(viewport.height));
+    if (state_.setViewport(viewport))
+        call(glViewport, viewport.x, viewport.y, static_cast<GLsizei>(viewport.width),
+             static_cast<GLsizei>(viewport.height));
     return ring_.mapped().subspan(ringSlot_ * ringSlotSize_, ringSlotSize_);
 }
 
 void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
-    LIMEN_ASSERT(ranges.size() <= kMaxBindings, "bindings of SharedLayout.h");
+    LIMEN_ASSERT(!ranges.empty() && ranges.size() <= kMaxBindings, "bindings of SharedLayout.h");
     std::array<GLuint, kMaxBindings> names{};
     std::array<GLintptr, kMaxBindings> offsets{};
     std::array<GLsizeiptr, kMaxBindings> sizes{};
@@ -141,8 +147,13 @@ void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
         offsets[i] = static_cast<GLintptr>(range.offset + (inRing ? ringSlot_ * ringSlotSize_ : 0));
         sizes[i] = static_cast<GLsizeiptr>(range.size);
     }
-    call(glBindBuffersRange, GLenum{GL_SHADER_STORAGE_BUFFER}, kFirstBinding,
-         static_cast<GLsizei>(ranges.size()), names.data(), offsets.data(), sizes.data());
+    constexpr std::size_t kFrame = frame::gpu::kBindFrame;
+    call(glBindBufferRange, GLenum{GL_UNIFORM_BUFFER}, GLuint{kFrame}, names[kFrame], offsets[kFrame],
+         sizes[kFrame]);
+    if (ranges.size() > kFirstBinding)
+        call(glBindBuffersRange, GLenum{GL_SHADER_STORAGE_BUFFER}, kFirstBinding,
+             static_cast<GLsizei>(ranges.size() - kFirstBinding), &names[kFirstBinding],
+             &offsets[kFirstBinding], &sizes[kFirstBinding]);
 }
 
 void GlDevice::bindTextures(std::span<const TextureHandle> textures, bool withDrawn) {

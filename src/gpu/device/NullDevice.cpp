@@ -122,6 +122,7 @@ Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t
     }
     if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
         return tl::unexpected(checked.error());
+    static_cast<void>(state_.setViewport({0, 0, width, height}));
     ++objects_.targets;
     return static_cast<TargetHandle>(targets_++);
 }
@@ -148,9 +149,10 @@ Result<void> NullDevice::reserveRing(std::size_t bytes) {
     return {};
 }
 
-std::span<std::byte> NullDevice::beginFrame(TargetHandle, const Viewport&) {
+std::span<std::byte> NullDevice::beginFrame(TargetHandle, const Viewport& viewport) {
     commands_.clear();
-    frameCalls_ = 3; // wait for the slot's fence, delete it; viewport
+    frameCalls_ = 2; // wait for the slot's fence, delete it
+    frameCalls_ += state_.setViewport(viewport) ? 1 : 0;
     return ring_;
 }
 
@@ -161,7 +163,8 @@ void NullDevice::record(CommandKind kind, std::size_t a, std::size_t b, std::uin
 
 void NullDevice::bindStorage(std::span<const StorageRange> ranges) {
     storage_.assign(ranges.begin(), ranges.end());
-    record(CommandKind::BindStorage, ranges.size(), 0, 1);
+    record(CommandKind::BindStorage, ranges.size(), 0,
+           ranges.size() > 1 ? 2 : 1); // the uniform block, storage
 }
 
 void NullDevice::bindTextures(std::span<const TextureHandle> textures, bool) {

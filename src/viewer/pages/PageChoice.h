@@ -21,8 +21,9 @@ struct PageChoice {
     std::optional<PageEvent> event;
     std::optional<std::string> opens; ///< the directory of a world to open; empty text: the built-in world
     std::optional<std::size_t> place; ///< index of the world's places
-    std::optional<Settings> settings; ///< changed settings
+    std::optional<Settings> settings; ///< changed settings; their `uiScale` is unchanged
     std::optional<ScaleWish> scale;
+    std::optional<double> uiScale; ///< a new size of letters, in place of the command line's, too
     std::optional<Rebinding> rebinding;
     bool resetsKeys = false;
 

@@ -28,7 +28,7 @@ PageChoice Pages::draw(Ui& ui, const PagesFacts& facts) {
     case Page::Photo: // drawn by PhotoPage
         return {};
     case Page::Graphics:
-        return drawGraphics(ui, facts);
+        return drawGraphics(ui, facts, draggedUiScale_);
     case Page::Controls:
         return drawControls(ui, facts);
     case Page::About:

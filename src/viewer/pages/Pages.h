@@ -33,6 +33,7 @@ struct PagesFacts {
     std::string worldName;                                  ///< of the shown world; empty: none
     std::string version, driver, fontNote;                  ///< for the About page
     const ScaleFacts& scale;
+    double uiScale = 1.0; ///< size of letters in use, 0.5..4: the command line's or that of the settings
     bool hasGamepad = false;
 };
 
@@ -48,14 +49,15 @@ public:
 private:
     std::unique_ptr<OpenPage> open_;
     std::string placesFilter_;
+    std::optional<double> draggedUiScale_; ///< of the slider that is held
     Page last_ = Page::World;
 };
 
-// One function for each page without state, in a file of its own.
+// One function for each page, in a file of its own. `dragged`: the size of letters while its slider is held.
 [[nodiscard]] PageChoice drawMenu(Ui& ui, const PagesFacts& facts);
 [[nodiscard]] PageChoice drawLoading(Ui& ui, const PagesFacts& facts);
 [[nodiscard]] PageChoice drawPlaces(Ui& ui, const PagesFacts& facts, std::string& filter);
-[[nodiscard]] PageChoice drawGraphics(Ui& ui, const PagesFacts& facts);
+[[nodiscard]] PageChoice drawGraphics(Ui& ui, const PagesFacts& facts, std::optional<double>& dragged);
 [[nodiscard]] PageChoice drawControls(Ui& ui, const PagesFacts& facts);
 [[nodiscard]] PageChoice drawAbout(Ui& ui, const PagesFacts& facts);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <utility>
 
 // The pages of settings: graphics, and controls with the key bindings.
 namespace limen::viewer {
@@ -109,7 +110,7 @@ void drawGamepad(bool isThere) {
 
 } // namespace
 
-PageChoice drawGraphics(Ui& ui, const PagesFacts& facts) {
+PageChoice drawGraphics(Ui& ui, const PagesFacts& facts, std::optional<double>& dragged) {
     PageChoice choice;
     Settings settings = facts.settings;
     beginPage(factsOf(Page::Graphics).title);
@@ -128,7 +129,12 @@ PageChoice drawGraphics(Ui& ui, const PagesFacts& facts) {
     beginSetting("Field of view", "Vertical angle of the picture.");
     slide(ui, "field of view", settings.fieldOfView, 30.0, 110.0, "%.0f degrees");
     beginSetting("Size of letters", "On top of the scale of your screen.");
-    slide(ui, "ui scale", settings.uiScale, 0.5, 4.0, "%.2f");
+    // The page changes its size only when the slider is let go: it would slip from under the pointer.
+    double uiScale = dragged.value_or(facts.uiScale);
+    if (slide(ui, "ui scale", uiScale, 0.5, 4.0, "%.2f"))
+        dragged = uiScale;
+    if (dragged && !ImGui::IsItemActive())
+        choice.uiScale = std::exchange(dragged, std::nullopt);
     beginSetting("Full screen", "The key F11 switches, too.");
     ui.checkbox("##full screen", settings.isFullScreen);
     ImGui::EndTable();
