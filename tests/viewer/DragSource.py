@@ -83,5 +83,5 @@ class DragSource:
         accepts = self.until("XdndStatus", uris)[1] & 1
         if accepts:
             self.send(target, "XdndDrop", 0, 0, 0, 0)
-            accepts = self.until("XdndFinished", uris)[1] & 1
+            accepts = self.until("XdndFinished", uris)[1]  # GLFW gives the number of bytes, not 1
         return bool(accepts)
