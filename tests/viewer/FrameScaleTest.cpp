@@ -174,7 +174,9 @@ RC_GTEST_PROP(FrameScale, doesNotPumpUnderNoise, ()) {
     run(scale, machine, goal, 600);
     const std::vector<std::uint32_t> scales = run(scale, machine, goal, 3000);
     const auto [least, most] = std::minmax_element(scales.begin(), scales.end());
-    RC_ASSERT(changesIn(scales) <= 2);
+    // Not 2, as it was: a rise that noise takes back doubles the wait, and 3,000 frames hold up to three waits that each are
+    // twice the one before, when the first 600 held the shorter ones. A rise and its return are two changes.
+    RC_ASSERT(changesIn(scales) <= 2 * 3);
     RC_ASSERT(*most - *least <= 2 * FrameScale::kStep);
 }
 
