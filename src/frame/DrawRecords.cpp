@@ -11,6 +11,14 @@ namespace {
 
 constexpr auto kTerrainKind = static_cast<std::uint32_t>(world::InstanceKind::Terrain);
 
+/// As details.glsl; the ground has programs of its own.
+std::uint32_t detailOf(std::uint32_t kind) {
+    return kind == gpu::kKindShell      ? gpu::kDetailOfShells
+           : kind == gpu::kKindExterior ? gpu::kDetailOfExteriors
+           : kind == kTerrainKind       ? gpu::kDetailOfLand
+                                        : gpu::kNoDetail;
+}
+
 } // namespace
 
 RecordTables tablesOf(const SceneUpload& scene) {
@@ -97,7 +105,8 @@ void DrawRecords::light(std::uint32_t number, gpu::DrawRecord& record) const {
     record.ambient = {gpu::vec3(ambient), instance.opacity};
     record.sun = isOutdoors ? gpu::vec4(gpu::vec3(view.sunColour), 0.0f) : gpu::vec4(0.0f);
     record.look = {instance.firstMaterial, instance.highlight, set.firstLamp, set.lampCount};
-    record.members = {instance.firstMember, gpu::memberCountOf(instance), instance.idBase, set.kind};
+    record.members = {instance.firstMember, gpu::memberCountOf(instance), instance.idBase,
+                      set.kind | detailOf(gpu::kindOf(instance)) << gpu::kRecordDetail};
 }
 
 } // namespace limen::frame
