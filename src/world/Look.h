@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace limen::world {
 
@@ -10,5 +12,15 @@ enum class Look : std::uint8_t {
     Retail,  ///< the original's: lamps light walls at vertices, frames of animations are held, the ground has no grain
     Enhanced ///< lamps light walls per pixel, frames are interpolated, the ground has its detail picture
 };
+
+[[nodiscard]] constexpr std::string_view nameOf(Look look) {
+    return look == Look::Retail ? "retail" : "enhanced";
+}
+[[nodiscard]] constexpr std::optional<Look> lookNamed(std::string_view name) {
+    for (const Look look : {Look::Retail, Look::Enhanced})
+        if (name == nameOf(look))
+            return look;
+    return std::nullopt;
+}
 
 } // namespace limen::world

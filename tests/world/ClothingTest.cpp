@@ -88,7 +88,7 @@ TEST(Clothing, takesTheShadeOfASetOrAPaletteByItself) {
          {std::tuple{kSet, 0.0, 2}, {kSet, 0.49, 2}, {kSet, 0.51, 3}, {kBlue, 0.0, 3}}) {
         Wardrobe wardrobe;
         wardrobe.table.palettes.entries = {{5, {0, {{{{0, 8}}, palettes}}}}};
-        wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, shade}};
+        wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, {shade}}};
         EXPECT_EQ(texelsOf(wardrobe.load(), 0), (Texels{{0, kind}, {1, kind}, {4, kind}, {7, kind}}));
     }
 }
