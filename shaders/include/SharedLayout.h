@@ -92,7 +92,7 @@ LIMEN_CONST kLitThing = 2u;
 LIMEN_CONST kLitWalls = 3u;
 LIMEN_CONST kMostLampsOfAThing = 8u; // the viewer's light among them
 
-LIMEN_CONST kKindShell = 0u; // InstanceKind::Shell: a cell's own walls
+LIMEN_CONST kKindShell = 0u;    // InstanceKind::Shell: a cell's own walls
 LIMEN_CONST kKindExterior = 2u; // InstanceKind::Exterior: a building seen from outside
 LIMEN_CONST kKindFilling =
     6u; // InstanceKind::Filling: a surface in an opening, such as a door leaf or a pane
@@ -401,7 +401,7 @@ LIMEN_STRUCT(Lamp) {
 LIMEN_CONST kDetailOfLand = 0u;
 LIMEN_CONST kDetailOfExteriors = 1u;
 LIMEN_CONST kDetailOfShells = 2u;
-LIMEN_CONST kNoDetail = 3u; // has 0 repeats
+LIMEN_CONST kNoDetail = 3u;     // has 0 repeats
 LIMEN_CONST kRecordDetail = 8u; // shift in DrawRecord.members
 
 // Everything of an instance that fast.vert reads: an instanced attribute of each draw.

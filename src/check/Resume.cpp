@@ -14,12 +14,18 @@ using Json = nlohmann::ordered_json;
 constexpr int kVersion = 5;
 
 Json viewJson(const View& view) {
-    return {{"kind", nameOf(view.kind)}, {"eye", {view.eye.x, view.eye.y, view.eye.z}},
-            {"yaw", view.yaw},           {"pitch", view.pitch},
-            {"fov", view.fov},           {"size", {view.width, view.height}},
-            {"root", view.root},         {"about", view.about},
-            {"seconds", view.seconds},   {"doors", view.doors ? Json(*view.doors) : Json(nullptr)},
-            {"day", view.dayGroup},      {"rain", view.rain},
+    return {{"kind", nameOf(view.kind)},
+            {"eye", {view.eye.x, view.eye.y, view.eye.z}},
+            {"yaw", view.yaw},
+            {"pitch", view.pitch},
+            {"fov", view.fov},
+            {"size", {view.width, view.height}},
+            {"root", view.root},
+            {"about", view.about},
+            {"seconds", view.seconds},
+            {"doors", view.doors ? Json(*view.doors) : Json(nullptr)},
+            {"day", view.dayGroup},
+            {"rain", view.rain},
             {"look", world::nameOf(view.look)}};
 }
 

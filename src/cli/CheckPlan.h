@@ -14,8 +14,8 @@ namespace limen::cli {
 /// The options as typed; empty: not given.
 struct CheckOptions {
     engine::SessionOptions session;
-    std::string kinds, size, block, directory, resume, walk, doors = "rest", day, weather = "clear", look = "retail",
-                                                             format = "png", report, command;
+    std::string kinds, size, block, directory, resume, walk, doors = "rest", day, weather = "clear",
+                                                             look = "retail", format = "png", report, command;
     std::size_t views = 1000;
     std::uint64_t seed = 1;
     bool apart = false, json = false;

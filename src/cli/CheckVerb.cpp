@@ -252,7 +252,8 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         verb->add_option("--walk", options->walk,
                          "check every frame of a walk recorded with limen view --record or limen walk (none)")
             ->type_name("FILE");
-    for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather", "--look"})
+    for (const char* other :
+         {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather", "--look"})
         walk->excludes(other);
     verb->add_flag("--apart", options->apart, "give every cell its own zone, as --zones cells does");
     verb->add_option(

@@ -66,10 +66,10 @@ static_assert(offsetof(ViewConstants, clipFromEye) == 0 && offsetof(ViewConstant
               offsetof(ViewConstants, sealedAmbient) == 176 && offsetof(ViewConstants, viewerLight) == 192 &&
               offsetof(ViewConstants, fogColour) == 208 && offsetof(ViewConstants, fogRange) == 224 &&
               offsetof(ViewConstants, voidColour) == 240 && offsetof(ViewConstants, skyZenith) == 256 &&
-              offsetof(ViewConstants, detailTextures) == 272 && offsetof(ViewConstants, detailTiling) == 288 &&
-              offsetof(ViewConstants, rootZone) == 304 && offsetof(ViewConstants, visitCount) == 308 &&
-              offsetof(ViewConstants, flags) == 312 && offsetof(ViewConstants, nearPlane) == 316 &&
-              offsetof(ViewConstants, staticInstances) == 320 &&
+              offsetof(ViewConstants, detailTextures) == 272 &&
+              offsetof(ViewConstants, detailTiling) == 288 && offsetof(ViewConstants, rootZone) == 304 &&
+              offsetof(ViewConstants, visitCount) == 308 && offsetof(ViewConstants, flags) == 312 &&
+              offsetof(ViewConstants, nearPlane) == 316 && offsetof(ViewConstants, staticInstances) == 320 &&
               offsetof(ViewConstants, staticMembers) == 324 && offsetof(ViewConstants, staticPieces) == 328 &&
               offsetof(ViewConstants, replacementCount) == 332 && sizeof(ViewConstants) == 336);
 static_assert(offsetof(DeviceConstants, viewport) == 0 && offsetof(DeviceConstants, rayCorner) == 16 &&

@@ -70,7 +70,8 @@ void addStarted(const DynamicStateInput& input, const world::ParticleSource& sou
     const std::uint32_t block = instances.blockFor(now.origin);
     eachLiving(style, source, start, input.seconds,
                [&](const ParticleKey& key, double born, double age, double life) {
-                   const CarrierFrame then = isCarried(source) ? carrierOf(world, source, born, input.between) : now;
+                   const CarrierFrame then =
+                       isCarried(source) ? carrierOf(world, source, born, input.between) : now;
                    const ParticleState state =
                        particleAt(style, key, age, life, then.orientation, source.offset);
                    addParticle(input, {source, style.isParentLocal ? now : then, block}, state, instances);

@@ -60,7 +60,7 @@ private:
     const world::Stretch* stretch_ = nullptr; ///< of the earlier frame; null: the resting pose
     const world::Stretch* then_ = nullptr;    ///< of the later frame
     std::uint32_t step_ = 0, thenStep_ = 0;   ///< of the two frames, within their stretches
-    double between_ = 0.0;                    ///< 0 at the earlier frame .. 1 at the later one; 0 if it is held
+    double between_ = 0.0; ///< 0 at the earlier frame .. 1 at the later one; 0 if it is held
 };
 
 } // namespace limen::motion

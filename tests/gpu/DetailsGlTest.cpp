@@ -97,7 +97,8 @@ TEST_F(DetailsGlTest, coverTheGroundByTheirAlpha_fadingFrom10To50Metres) {
             SceneBuilder ground = under(Of::Ground, y);
             const float alpha = share * 128.0f / 255.0f;
             const auto mixed = [&](float grain) { return std::lround(100 + (grain - 100) * alpha); };
-            expectColour(drawn(ground, options).at(2, 1), {mixed(0), mixed(200), mixed(0)}, std::to_string(y));
+            expectColour(drawn(ground, options).at(2, 1), {mixed(0), mixed(200), mixed(0)},
+                         std::to_string(y));
         }
     }
 }
@@ -138,7 +139,8 @@ TEST_F(DetailsGlTest, changeNoIdsAndMakeNoCalls) {
 /// A large wall with a lamp before its middle: its corners are far from it.
 class PixelLampsGlTest : public GlTest {
 protected:
-    static SceneBuilder lampBeforeAWall(bool perPixel, frame::Program program, std::uint32_t kind = layout::kLitWalls) {
+    static SceneBuilder lampBeforeAWall(bool perPixel, frame::Program program,
+                                        std::uint32_t kind = layout::kLitWalls) {
         SceneBuilder scene;
         scene.root(1);
         scene.plan.constants.skyAmbient = {0.1f, 0.1f, 0.1f, 0};
@@ -150,7 +152,9 @@ protected:
         const std::uint32_t picture = scene.addTexture(1, 1, {255, 255, 255, 255}, false);
         const std::uint32_t flags = program == frame::Program::Blended ? layout::kMaterialAlpha : 0;
         scene.addWall('A', {-4, -4}, {4, 4}, 4,
-                      {.members = {{1, 1}}, .material = scene.addMaterial({1, 1, 1, 1}, picture, flags), .program = program});
+                      {.members = {{1, 1}},
+                       .material = scene.addMaterial({1, 1, 1, 1}, picture, flags),
+                       .program = program});
         return scene;
     }
 };
@@ -159,7 +163,8 @@ TEST_F(PixelLampsGlTest, lightWallsByTheFormulaOfVertices) {
     for (const Drawing drawing : {Drawing::Exact, Drawing::Fast}) {
         for (const frame::Program program :
              {frame::Program::Opaque, frame::Program::CutOut, frame::Program::Blended}) {
-            SceneBuilder perPixel = lampBeforeAWall(true, program), perVertex = lampBeforeAWall(false, program);
+            SceneBuilder perPixel = lampBeforeAWall(true, program),
+                         perVertex = lampBeforeAWall(false, program);
             Renderer first(*device_, {.drawing = drawing});
             ASSERT_TRUE(first.upload(perPixel.upload));
             const Frame lit = renderWith(first, perPixel.finish(), 9, 9, {.wantIds = false});

@@ -53,8 +53,13 @@ TEST(PartPoses, standUntilTheNextFrameWhereFramesAreHeld) {
     HandMade p;
     p.between = BetweenFrames::Held;
     const std::uint32_t cycle = p.add({HandMade::stretch(2, 5, 10.0)});
-    for (const auto& [seconds, frame] :
-         {std::pair{0.0, 2.0}, {0.05, 2.0}, {0.0999, 2.0}, {0.1001, 3.0}, {0.325, 5.0}, {0.3999, 5.0}, {0.4001, 2.0}})
+    for (const auto& [seconds, frame] : {std::pair{0.0, 2.0},
+                                         {0.05, 2.0},
+                                         {0.0999, 2.0},
+                                         {0.1001, 3.0},
+                                         {0.325, 5.0},
+                                         {0.3999, 5.0},
+                                         {0.4001, 2.0}})
         EXPECT_EQ(p.at(cycle, seconds), frame) << seconds;
     const std::uint32_t back = p.add({HandMade::stretch(2, 5, -10.0)});
     EXPECT_EQ(p.at(back, 0.05), 5.0);

@@ -161,8 +161,7 @@ std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) co
     const std::size_t lamps = hasLampVariant(drawing_, program) && variant.lamps ? 16 : 0;
     const std::size_t ids = drawing_ == Drawing::Fast && variant.ids ? 8 : 0;
     const std::size_t details = hasDetailVariant(program, variant) && variant.details ? 32 : 0;
-    const std::size_t pixel =
-        hasPixelLampVariant(drawing_, program, variant) && variant.pixelLamps ? 64 : 0;
+    const std::size_t pixel = hasPixelLampVariant(drawing_, program, variant) && variant.pixelLamps ? 64 : 0;
     return gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps + details + pixel;
 }
 

@@ -13,9 +13,9 @@ struct ProgramVariant {
     bool flat = false;         ///< coloured by id (RenderOptions::shading); for Blended: counts layers
     bool multisampled = false; ///< for multisampled targets
     bool lamps = false;        ///< with lamps; without effect on Drawing::Exact, whose programs all have them
-    bool details = false;    ///< with detail pictures; only for opaque meshes and ground
-    bool pixelLamps = false; ///< lamps light walls in fragments; of Drawing::Fast only with `lamps`
-    bool ids = true;         ///< with ids; without effect on Drawing::Exact, whose programs all have them
+    bool details = false;      ///< with detail pictures; only for opaque meshes and ground
+    bool pixelLamps = false;   ///< lamps light walls in fragments; of Drawing::Fast only with `lamps`
+    bool ids = true;           ///< with ids; without effect on Drawing::Exact, whose programs all have them
 };
 
 /// Sources and macros of a batch's program.

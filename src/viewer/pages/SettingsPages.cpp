@@ -59,8 +59,9 @@ void chooseQuality(Ui& ui, Settings& settings) {
 
 void chooseLook(Ui& ui, Settings& settings) {
     const auto textOf = [](world::Look look) {
-        return look == world::Look::Retail ? "retail: as the original drew"
-                                           : "enhanced: light per pixel, smooth animations, grain on the ground";
+        return look == world::Look::Retail
+                   ? "retail: as the original drew"
+                   : "enhanced: light per pixel, smooth animations, grain on the ground";
     };
     const bool isOpen = ImGui::BeginCombo("##look", textOf(settings.look));
     ui.note("look");
