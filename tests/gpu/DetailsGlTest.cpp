@@ -146,7 +146,7 @@ protected:
         scene.plan.constants.skyAmbient = {0.1f, 0.1f, 0.1f, 0};
         scene.plan.constants.flags = perPixel ? layout::kFramePixelLamps : 0;
         scene.upload.lightSets.push_back({kind, 0, 1, 0});
-        scene.plan.lamps = {{{0, 3, 0, 3}, {{1, 0.5f, 0}, 1.0f}}};
+        scene.plan.lamps = {{{0, 3, 0, 3}, {glm::vec3(1, 0.5f, 0), 1.0f}}};
         scene.upload.lamps = 1;
         scene.upload.lampRefs = {0};
         const std::uint32_t picture = scene.addTexture(1, 1, {255, 255, 255, 255}, false);
