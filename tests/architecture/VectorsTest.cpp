@@ -30,9 +30,11 @@ std::map<std::string, std::string> rows() {
 std::set<std::string> partsOf(const nlohmann::json& file) {
     std::set<std::string> parts;
     for (const auto& [set, content] : file.at("sets").items()) {
-        if (!content.is_object())
+        if (!content.is_object()) {
             parts.insert(set);
-        for (const auto& [part, values] : (content.is_object() ? content : nlohmann::json::object()).items())
+            continue;
+        }
+        for (const auto& [part, values] : content.items())
             if (part != "src")
                 parts.insert(set + "." + part);
     }
