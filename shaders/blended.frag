@@ -15,7 +15,7 @@ void main() {
     if (!keep) {
         discard;
     }
-    Material material = materials[vSurface];
+    Material material = materialAt(vSurface);
     vec4 texel = vec4(1.0);
     if (material.texture != kNoTexture) {
         texel = sampleTexture(material.texture, painted.uv, dx, dy);

@@ -30,7 +30,7 @@ void main() {
 #endif
     Instance instance = drawnInstance();
     bool keep = isKept(instance);
-    Material material = materials[vSurface];
+    Material material = materialAt(vSurface);
 #ifdef FLAT
     float alpha = 1.0;
 #else
@@ -43,7 +43,7 @@ void main() {
     float least = leastAlpha(material.flags);
 #ifndef FLAT
     if (material.texture != kNoTexture && !isExact()) {
-        least = mix(least, kFarCutOutAlpha, farShare(vec2(textureSizeOf(textureRefs[material.texture])), dx, dy));
+        least = mix(least, kFarCutOutAlpha, farShare(vec2(textureSizeOf(textureRefAt(material.texture))), dx, dy));
     }
 #endif
     bool isHere = true;

@@ -45,7 +45,7 @@ const uint kLightKind = (1u << kRecordDetail) - 1u;
 void setDetail() {
     uint detail = inMembers.w >> kRecordDetail;
     float tiling = frame.detailTiling[detail];
-    vDetail = uvec3(tiling > 0.0 ? textureRefs[frame.detailTextures[detail]].place.xy : uvec2(0u), floatBitsToUint(tiling));
+    vDetail = uvec3(tiling > 0.0 ? textureRefAt(frame.detailTextures[detail]).place.xy : uvec2(0u), floatBitsToUint(tiling));
 }
 #endif
 
@@ -80,7 +80,7 @@ void setAlpha(Material material, float opacity) {
     float least = !hasParts ? leastAlpha(material.flags) : areDrawn ? kSolidAlpha : kAnyAlpha; // else the blended part alone is drawn
     // w: the size of a cut-out's picture in texels, for farShare; 0: `least` counts at every distance
     bool isCutOut = !hasParts && material.texture != kNoTexture;
-    float size = isCutOut ? largerSide(textureRefs[material.texture]) : 0.0;
+    float size = isCutOut ? largerSide(textureRefAt(material.texture)) : 0.0;
     vAlpha = alphaOf(material, material.colour.a * (hasParts ? opacity : 1.0), false, vec2(least, size));
 #else
     vAlpha = blendedAlpha(material, opacity, hasParts && areDrawn ? vec2(kLeastAlpha, kSolidAlpha + kSplitOverlap) : kAllAlpha);
@@ -89,7 +89,7 @@ void setAlpha(Material material, float opacity) {
 #endif
 
 void setSurface(vec3 eyeRelative) {
-    Material material = materials[materialRefs[inLook.x + (inPolygonSurface >> 16)]];
+    Material material = materialAt(materialRefAt(inLook.x + (inPolygonSurface >> 16)));
     float fogged = 1.0;
 #ifdef BLENDED
     vCover = (material.flags & kMaterialAdditive) != 0u ? 0.0 : 1.0;
@@ -123,7 +123,7 @@ void main() {
     vTexture = uvec2(inLook.x + (inPolygonSurface >> 16), 0u);
 #ifdef PAGES_BY_INDEX
     for (uint i = 0u; i < kPackedVectors; ++i) {
-        vLayers[i] = packedLayers[vTexture.x * kPackedVectors + i];
+        vLayers[i] = packedLayersAt(vTexture.x * kPackedVectors + i);
     }
 #endif
 #else

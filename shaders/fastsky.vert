@@ -16,7 +16,7 @@ layout(location = kAttributePolygonSurface) in uint inPolygonSurface;
 
 void main() {
     SkyInstance object = skyInstances[uint(gl_BaseInstanceARB)];
-    Material material = materials[materialRefs[object.firstMaterial + (inPolygonSurface >> 16)]];
+    Material material = materialAt(materialRefAt(object.firstMaterial + (inPolygonSurface >> 16)));
     gl_Position = skyPosition(object, inPosition);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
     setTexture(material, Look(material.colour.rgb * skyLight(object, material, inNormal.xyz), vec3(0.0)));

@@ -187,8 +187,8 @@ void main() {
 #ifdef TERRAIN
     vSurface = instance.firstMaterial + (inPolygonSurface >> 16);
 #else
-    vSurface = materialRefs[instance.firstMaterial + (inPolygonSurface >> 16)];
-    emission = materials[vSurface].luminosity;
+    vSurface = materialRefAt(instance.firstMaterial + (inPolygonSurface >> 16));
+    emission = materialAt(vSurface).luminosity;
 #endif
     vLight = lightOf(instance, eyeRelative, inNormal.xyz);
 #ifdef PIXEL_LAMPS

@@ -21,7 +21,7 @@ void main() {
 #ifdef FLAT
     outColour = colourOfId(vId);
 #else
-    Material material = materials[vSurface];
+    Material material = materialAt(vSurface);
     vec3 albedo = materialColour(material, painted.uv, dx, dy).rgb;
 #ifdef DETAILS
     uint detail = detailOf(kindOf(instance));

@@ -19,7 +19,7 @@ void main() {
     if (!gl_FrontFacing || !keepOutside()) {
         discard;
     }
-    Material material = materials[vMaterial];
+    Material material = materialAt(vMaterial);
     vec4 texel = vec4(1.0);
     if (material.texture != kNoTexture) {
         texel = sampleTexture(material.texture, vUv, dx, dy);

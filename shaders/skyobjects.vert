@@ -20,6 +20,6 @@ void main() {
     gl_Position = skyPosition(object, inPosition);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
     vInstance = index;
-    vMaterial = materialRefs[object.firstMaterial + (inPolygonSurface >> 16)];
-    vLight = skyLight(object, materials[vMaterial], inNormal.xyz);
+    vMaterial = materialRefAt(object.firstMaterial + (inPolygonSurface >> 16));
+    vLight = skyLight(object, materialAt(vMaterial), inNormal.xyz);
 }

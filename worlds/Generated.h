@@ -25,6 +25,9 @@ struct GeneratedSpec {
     /// The share of a dungeon's cells, 0..0.05, that are corridors through other rooms. Such cells overlap in
     /// space.
     double overlapShare = 0.02;
+    /// With the built-in world's pictures, furniture and lights. Else pictures of 32 x 32 texels and few props, which are
+    /// quick to make. Cells, portals, doors and places are the same.
+    bool furnished = false;
 };
 
 /// Writes a generated world to `directory` (made if missing): `client_portal.dat`, `client_cell_1.dat`,

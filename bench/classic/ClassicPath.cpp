@@ -12,9 +12,8 @@ namespace {
 namespace layout = frame::gpu;
 
 constexpr std::size_t kBytesPerTexel = 16;
-/// Storage bindings that each group binds again; the frame's constants and the materials are among them.
-constexpr std::size_t kGroupRanges = layout::kBindMaterialRefs + 1;
-static_assert(layout::kBindFrame < kGroupRanges && layout::kBindMaterials < kGroupRanges);
+/// Bindings that each group binds again: the uniform block of the frame's constants, by one call.
+constexpr std::size_t kGroupRanges = layout::kBindFrame + 1;
 
 /// A copy with only the data that the frame's constants and the plain sky depend on.
 world::World withoutContent(const world::World& world) {

@@ -93,12 +93,12 @@ Result<void> ClassicScene::upload(const world::World& world) {
     indices_ = add("classic indices", bytesOf(scene.indices));
     storage_.fill(
         {indices_, 0, kSmallestRange}); // a placeholder for bindings that no shader of this path reads
-    addStorage(layout::kBindMaterials, "classic materials", bytesOf(scene.materials));
-    addStorage(layout::kBindMaterialRefs, "classic material references", bytesOf(scene.materialRefs));
-    addStorage(layout::kBindTerrain, "classic terrain cells", bytesOf(scene.terrainCells));
     addStorage(layout::kBindLightSets, "classic light sets", bytesOf(scene.lightSets));
     addStorage(layout::kBindLampRefs, "classic lamp references", bytesOf(scene.lampRefs));
-    addStorage(layout::kBindTextures, "classic texture references", bytesOf(refs));
+    const gpu::BufferHandle materials = add("classic materials", bytesOf(scene.materials));
+    const gpu::BufferHandle materialRefs = add("classic material references", bytesOf(scene.materialRefs));
+    const gpu::BufferHandle terrain = add("classic terrain cells", bytesOf(scene.terrainCells));
+    const gpu::BufferHandle textures = add("classic texture references", bytesOf(refs));
     packed_ = scene.instances;
     staticMembers_ = static_cast<std::uint32_t>(scene.members.size());
     const gpu::BufferHandle members = add("classic members", bytesOf(scene.members));
@@ -109,7 +109,12 @@ Result<void> ClassicScene::upload(const world::World& world) {
     return addTexels(layout::kUnitVertices, "classic vertices", vertices_)
         .and_then([&] { return addTexels(layout::kUnitInstances, "classic instances", vertices_); })
         .and_then([&] { return addTexels(layout::kUnitPieces, "classic pieces", vertices_); })
-        .and_then([&] { return addTexels(layout::kUnitMembers, "classic members", members); });
+        .and_then([&] { return addTexels(layout::kUnitMembers, "classic members", members); })
+        .and_then([&] { return addTexels(layout::kUnitMaterials, "classic materials", materials); })
+        .and_then(
+            [&] { return addTexels(layout::kUnitMaterialRefs, "classic material references", materialRefs); })
+        .and_then([&] { return addTexels(layout::kUnitTerrain, "classic terrain cells", terrain); })
+        .and_then([&] { return addTexels(layout::kUnitTextures, "classic texture references", textures); });
 }
 
 Result<void> ClassicScene::addPages(std::span<const frame::TextureUpload> textures) {

@@ -24,33 +24,33 @@ using uint = std::uint32_t;
 
 // Storage buffer bindings, but for the first, a uniform block. "Static": written when a scene is uploaded. "GPU":
 // written by cull.comp in each frame.
-LIMEN_CONST kBindFrame = 0;        // FrameConstants, one (std140)
-LIMEN_CONST kBindMaterials = 1;    // Material (static)
-LIMEN_CONST kBindMaterialRefs = 2; // uint (static)
-LIMEN_CONST kBindTerrain = 3;      // TerrainCell (static)
-LIMEN_CONST kBindLightSets = 4;    // LightSet (static)
-LIMEN_CONST kBindLampRefs = 5;     // uint (static)
-LIMEN_CONST kBindTextures = 6;     // TextureRef (static)
-LIMEN_CONST kBindOwnership = 7;    // OwnershipVertex
-LIMEN_CONST kBindClipSets = 8;     // ClipSet
-LIMEN_CONST kBindSky = 9;          // SkyInstance
-LIMEN_CONST kBindCommands = 10;    // DrawCommand as words (GPU)
-LIMEN_CONST kBindIndices = 11;     // uint (static)
-LIMEN_CONST kBindKeptIndices = 12; // uint, the indices of the triangles that culling kept (GPU)
-LIMEN_CONST kBindTiles = 13;       // float, the farthest depth of each tile after walls and ground (GPU)
-LIMEN_CONST kBindLevels = 14;      // Level (static)
-LIMEN_CONST kStorageBindings = 15;
+LIMEN_CONST kBindFrame = 0;       // FrameConstants, one (std140)
+LIMEN_CONST kBindLightSets = 1;   // LightSet (static)
+LIMEN_CONST kBindLampRefs = 2;    // uint (static)
+LIMEN_CONST kBindOwnership = 3;   // OwnershipVertex
+LIMEN_CONST kBindClipSets = 4;    // ClipSet
+LIMEN_CONST kBindSky = 5;         // SkyInstance
+LIMEN_CONST kBindCommands = 6;    // DrawCommand as words (GPU)
+LIMEN_CONST kBindIndices = 7;     // uint (static)
+LIMEN_CONST kBindKeptIndices = 8; // uint, the indices of the triangles that culling kept (GPU)
+LIMEN_CONST kBindTiles = 9;       // float, the farthest depth of each tile after walls and ground (GPU)
+LIMEN_CONST kBindLevels = 10;     // Level (static)
+LIMEN_CONST kStorageBindings = 11;
 
 // Texture units. Several are buffers read as texels of four words: software drivers read a storage buffer lane by lane,
 // and texels several times faster. Array pages are last (none in bindless mode).
-LIMEN_CONST kUnitOwnership = 0; // the ownership target
-LIMEN_CONST kUnitRing = 1;      // this frame's arrays; DeviceConstants has the first texel of each
-LIMEN_CONST kUnitDepth = 2;     // the target's depth; sampled only between draws
-LIMEN_CONST kUnitVertices = 3;  // Vertex (static); the vertex fetch reads the same buffer
-LIMEN_CONST kUnitInstances = 4; // Instance (static)
-LIMEN_CONST kUnitMembers = 5;   // Member, two a texel (static)
-LIMEN_CONST kUnitPieces = 6;    // DrawPiece (static)
-LIMEN_CONST kUnitFirstPage = 7;
+LIMEN_CONST kUnitOwnership = 0;    // the ownership target
+LIMEN_CONST kUnitRing = 1;         // this frame's arrays; DeviceConstants has the first texel of each
+LIMEN_CONST kUnitDepth = 2;        // the target's depth; sampled only between draws
+LIMEN_CONST kUnitVertices = 3;     // Vertex (static); the vertex fetch reads the same buffer
+LIMEN_CONST kUnitInstances = 4;    // Instance (static)
+LIMEN_CONST kUnitMembers = 5;      // Member, two a texel (static)
+LIMEN_CONST kUnitPieces = 6;       // DrawPiece (static)
+LIMEN_CONST kUnitMaterials = 7;    // Material (static)
+LIMEN_CONST kUnitMaterialRefs = 8; // uint, four a texel (static)
+LIMEN_CONST kUnitTextures = 9;     // TextureRef (static)
+LIMEN_CONST kUnitTerrain = 10;     // TerrainCell or PackedCell (static)
+LIMEN_CONST kUnitFirstPage = 11;
 LIMEN_CONST kUnitPicture = 0; // of upscale.frag: the drawn picture
 // The target's images, in place of arrays that the fast way of drawing does not read.
 LIMEN_CONST kUnitColour = kUnitVertices;
@@ -59,6 +59,8 @@ LIMEN_CONST kVertexTexels = 4u; // texels of one record
 LIMEN_CONST kInstanceTexels = 5u;
 LIMEN_CONST kVisitTexels = 2u;
 LIMEN_CONST kLampTexels = 2u;
+LIMEN_CONST kMaterialTexels = 2u;
+LIMEN_CONST kMaterialRefsPerTexel = 4u;
 
 // Fragment outputs. Blended colour has an output of its own. Blending stays enabled for its draw buffer and disabled
 // for the others, so that no stage has to switch it.
@@ -253,6 +255,7 @@ LIMEN_CONST kMeasureObject = 0u; // world::LevelMeasure
 LIMEN_CONST kMeasureLandcell = 1u;
 LIMEN_CONST kMeasures = 4u; // a power of two
 LIMEN_CONST kMostMembers = 0xFFFFu;
+LIMEN_CONST kOneMember = 0x10000u; // of DrawRecord.members, in place of the count
 
 // A zone that an instance belongs to, and its light set there.
 struct Member {
@@ -414,7 +417,7 @@ LIMEN_STRUCT(DrawRecord) {
     vec4 sun LIMEN_ZERO;     // rgb: light of the sun at a surface that faces it
     uvec4 look LIMEN_ZERO;   // Instance.firstMaterial, Instance.highlight, LightSet.firstLamp and lampCount
     // Instance.firstMember, member count (0: no ownership test), Instance.idBase, LightSet.kind plus the component of
-    // detailTextures that covers it << kRecordDetail
+    // detailTextures that covers it << kRecordDetail. An instance of one zone: the zone, kOneMember.
     uvec4 members LIMEN_ZERO;
 };
 

@@ -22,16 +22,8 @@ layout(std430, binding = kBindIndices) readonly buffer IndexBuffer { uint indice
 layout(std430, binding = kBindKeptIndices) writeonly buffer KeptIndexBuffer { uint keptIndices[]; };
 layout(std430, binding = kBindTiles) buffer TileBuffer { float tileDepths[]; };
 #else
-layout(std430, binding = kBindMaterialRefs) readonly buffer MaterialRefBuffer { uint materialRefs[]; };
-layout(std430, binding = kBindMaterials) readonly buffer MaterialBuffer { Material materials[]; };
-#if defined(FAST) && defined(PAGES_BY_INDEX)
-layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { uvec4 packedLayers[]; };
-#else
-layout(std430, binding = kBindTerrain) readonly buffer TerrainBuffer { TerrainLayer terrainLayers[]; };
-#endif
 layout(std430, binding = kBindLightSets) readonly buffer LightSetBuffer { LightSet lightSets[]; };
 layout(std430, binding = kBindLampRefs) readonly buffer LampRefBuffer { uint lampRefs[]; };
-layout(std430, binding = kBindTextures) readonly buffer TextureBuffer { TextureRef textureRefs[]; };
 layout(std430, binding = kBindOwnership) readonly buffer OwnershipBuffer { OwnershipVertex ownershipVertices[]; };
 layout(std430, binding = kBindClipSets) readonly buffer ClipSetBuffer { ClipSet clipSets[]; };
 layout(std430, binding = kBindSky) readonly buffer SkyBuffer { SkyInstance skyInstances[]; };
@@ -42,6 +34,11 @@ layout(binding = kUnitInstances) uniform usamplerBuffer instanceTexels;
 layout(binding = kUnitMembers) uniform usamplerBuffer memberTexels;
 #ifdef COMPUTE_STAGE
 layout(binding = kUnitPieces) uniform usamplerBuffer pieceTexels;
+#else
+layout(binding = kUnitMaterials) uniform usamplerBuffer materialTexels;
+layout(binding = kUnitMaterialRefs) uniform usamplerBuffer materialRefTexels;
+layout(binding = kUnitTextures) uniform usamplerBuffer textureRefTexels;
+layout(binding = kUnitTerrain) uniform usamplerBuffer terrainTexels;
 #endif
 
 const float kSkyDepth = uintBitsToFloat((127u - kSkyExponent) << 23); // 2^-kSkyExponent
@@ -129,6 +126,32 @@ DrawPiece pieceAt(uint index) {
 vec3 blockOrigin(uint block) {
     return uintBitsToFloat(ringTexel(device.firstBlock + block).xyz);
 }
+
+#ifndef COMPUTE_STAGE
+uint materialRefAt(uint index) {
+    return texelFetch(materialRefTexels, int(index / kMaterialRefsPerTexel))[index % kMaterialRefsPerTexel];
+}
+
+Material materialAt(uint index) {
+    int at = int(index * kMaterialTexels);
+    uvec4 rest = texelFetch(materialTexels, at + 1);
+    return Material(uintBitsToFloat(texelFetch(materialTexels, at)), rest.x, rest.y, uintBitsToFloat(rest.z), 0u);
+}
+
+TextureRef textureRefAt(uint index) {
+    return TextureRef(texelFetch(textureRefTexels, int(index)));
+}
+
+// One layer of a landcell (`index` counts the layers of all), or one vector of a packed landcell.
+TerrainLayer terrainLayerAt(uint index) {
+    uvec4 layer = texelFetch(terrainTexels, int(index));
+    return TerrainLayer(layer.x, layer.y, layer.z, uintBitsToFloat(layer.w));
+}
+
+uvec4 packedLayersAt(uint index) {
+    return texelFetch(terrainTexels, int(index));
+}
+#endif
 
 #if !defined(COMPUTE_STAGE) && !defined(OWNERSHIP)
 Member memberAt(uint index) {

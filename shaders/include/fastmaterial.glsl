@@ -10,7 +10,7 @@ struct Look {
 // A material without a texture is its colour alone.
 void setTexture(Material material, Look look) {
     bool hasTexture = material.texture != kNoTexture;
-    vTexture = hasTexture ? textureRefs[material.texture].place.xy : uvec2(0u);
+    vTexture = hasTexture ? textureRefAt(material.texture).place.xy : uvec2(0u);
     vTimes = hasTexture ? look.times : vec3(0.0);
     vPlus = hasTexture ? look.plus : look.plus + look.times;
 }

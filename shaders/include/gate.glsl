@@ -36,7 +36,13 @@ bool keepOutside() {
     return visitAt(leafVisit()).zone == kOutside;
 }
 
+// A fast draw of one zone has it in place of the first member (DrawRecord.members); the loop then has no turn.
 bool isMember(Instance instance, uint zone) {
+#ifdef FAST
+    if ((instance.membersAndKind & kOneMember) != 0u && instance.firstMember == zone) {
+        return true;
+    }
+#endif
     for (uint i = 0u; i < memberCountOf(instance); ++i) {
         if (memberAt(instance.firstMember + i).zone == zone) {
             return true;

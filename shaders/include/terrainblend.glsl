@@ -74,7 +74,7 @@ const uint kFirstRoad = 4u;
 uint layersPresent(uint first) {
     uint count = 1u;
     for (uint i = 1u; i < kLayersPerCell; ++i) {
-        count = terrainLayers[first + i].texture != kNoTexture ? i + 1u : count;
+        count = terrainLayerAt(first + i).texture != kNoTexture ? i + 1u : count;
     }
     return count;
 }
@@ -88,7 +88,7 @@ vec3 blendedTerrain(uint cell, CellUv uv) {
     vec3 road = vec3(0.0);
     float roadKeeps = 1.0; // two road maps form one road: texels that both keep remain
     for (uint i = 0u; i < count; ++i) {
-        TerrainLayer layer = terrainLayers[first + i];
+        TerrainLayer layer = terrainLayerAt(first + i);
         if (layer.texture == kNoTexture) {
             continue;
         }

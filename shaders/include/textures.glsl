@@ -18,7 +18,7 @@ ivec2 textureSizeOf(TextureRef ref) {
 
 // Filtered texels at `uv`, with the given derivatives of uv. v runs downwards from the top row.
 vec4 sampleTexture(uint index, vec2 uv, vec2 dx, vec2 dy) {
-    TextureRef ref = textureRefs[index];
+    TextureRef ref = textureRefAt(index);
 #ifdef BINDLESS
     return textureGrad(sampler2DArray(ref.place.xy), vec3(uv, 0.0), dx, dy);
 #else
@@ -62,7 +62,7 @@ vec4 texelsAt(uvec2 place, vec2 uv) {
 
 // The texel of mip level 0 that contains `uv`, unfiltered, independent of the driver. For ids and depth of cut-outs.
 vec4 nearestTexel(uint index, vec2 uv) {
-    TextureRef ref = textureRefs[index];
+    TextureRef ref = textureRefAt(index);
     ivec2 size = textureSizeOf(ref);
     bool isClamped = (ref.place.z & kTextureClamp) != 0u;
     vec2 within = isClamped ? clamp(uv, 0.0, 1.0) : uv - floor(uv);

@@ -21,6 +21,7 @@ struct DemoChoice {
     std::string kind = "built-in";
     std::uint32_t size = 50, seed = 1;
     double overlap = 0.02;
+    bool bare = false;
     bool tuned = false; ///< true if an option for generated worlds was given
 };
 
@@ -53,7 +54,7 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
         return fail(ErrorCode::BadArgument, "demo", "give one directory to write to, either DIR or -o DIR");
     if (!kind && chosen.tuned)
         return fail(ErrorCode::BadArgument, "demo",
-                    "--size, --seed and --overlap need a generated world; choose one with --kind");
+                    "--size, --seed, --overlap and --bare need a generated world; choose one with --kind");
     if (kind) {
         if (Result<void> fits =
                 engine::checkMemory("--size", fmt::format("a {} of size {}", chosen.kind, chosen.size),
@@ -65,7 +66,8 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
         return tl::unexpected(made.error());
     std::optional<Waiting> waiting(std::in_place, console, "writing the world");
     const Result<void> written =
-        kind ? worlds::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap}, directory)
+        kind ? worlds::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap, !chosen.bare},
+                                           directory)
              : worlds::writeBuiltInWorld(directory);
     waiting.reset();
     if (!written)
@@ -106,9 +108,12 @@ void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
         verb->add_option("--overlap", chosen->overlap,
                          "dungeon: set the share of cells that overlap other cells, 0..0.05 (0.02)")
             ->type_name("SHARE");
+    CLI::Option* bare = verb->add_flag(
+        "--bare", chosen->bare,
+        "write a generated world with small pictures and without furniture, which takes less time and space");
     verb->footer("Examples:\n  limen demo world\n  limen demo --kind town --size 20 --seed 7 -o town");
-    verb->callback([&console, &choice, chosen, size, seed, overlap] {
-        chosen->tuned = size->count() + seed->count() + overlap->count() > 0;
+    verb->callback([&console, &choice, chosen, size, seed, overlap, bare] {
+        chosen->tuned = size->count() + seed->count() + overlap->count() + bare->count() > 0;
         choice.run = [&console, chosen] { return write(*chosen, console); };
     });
 }

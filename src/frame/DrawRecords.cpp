@@ -105,7 +105,10 @@ void DrawRecords::light(std::uint32_t number, gpu::DrawRecord& record) const {
     record.ambient = {gpu::vec3(ambient), instance.opacity};
     record.sun = isOutdoors ? gpu::vec4(gpu::vec3(view.sunColour), 0.0f) : gpu::vec4(0.0f);
     record.look = {instance.firstMaterial, instance.highlight, set.firstLamp, set.lampCount};
-    record.members = {instance.firstMember, gpu::memberCountOf(instance), instance.idBase,
+    const std::uint32_t count = gpu::memberCountOf(instance);
+    const bool isOne = count == 1;
+    record.members = {isOne ? member(instance.firstMember).zone : instance.firstMember,
+                      isOne ? gpu::kOneMember : count, instance.idBase,
                       set.kind | detailOf(gpu::kindOf(instance)) << gpu::kRecordDetail};
 }
 

@@ -31,7 +31,7 @@ TEST(Capabilities, everythingMissingIsNamedAtOnce) {
     limits.vertexStorageBlocks = 0;
     EXPECT_THAT(missingFrom(limits),
                 ::testing::ElementsAre("OpenGL 4.5 (it has 3.3)", "GL_ARB_shader_draw_parameters",
-                                       "10 storage blocks in the vertex stage (it has 0)"));
+                                       "5 storage blocks in the vertex stage (it has 0)"));
 }
 
 TEST(Capabilities, eachLimitIsChecked) {

@@ -4,7 +4,9 @@
 #include "gpu/device/NullDevice.h"
 #include "gpu/texture/TextureStore.h"
 
+#include <array>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace limen::gpu::test {
 namespace {
@@ -27,6 +29,7 @@ struct Watched {
     ProgramHandle byHandle = *device.createProgram({.label = "by handle", .textures = {.bindless = true}});
     ProgramHandle plain = *device.createProgram({.label = "plain"});
     BufferHandle references = makeReferences(handle);
+    std::map<BufferHandle, TextureHandle> texels; ///< views of the references
 
     Watched() { EXPECT_TRUE(device.reserveRing(1024)); }
 
@@ -36,11 +39,13 @@ struct Watched {
         return *device.createBuffer("references", std::as_bytes(std::span(&reference, 1)));
     }
     void begin() {
+        if (!texels.contains(references))
+            texels[references] = *device.createTexels("references", references);
         static_cast<void>(device.beginFrame(target, {}));
-        std::vector<StorageRange> ranges(layout::kBindTextures + 1,
-                                         StorageRange{BufferHandle::Invalid, 0, 16});
-        ranges[layout::kBindTextures] = {references, 0, sizeof(layout::TextureRef)};
-        device.bindStorage(ranges);
+        device.bindStorage(std::array{StorageRange{references, 0, sizeof(layout::TextureRef)}});
+        const std::vector<TextureHandle> textures(layout::kUnitTextures - layout::kUnitVertices + 1,
+                                                  texels[references]);
+        device.bindTextures(textures, false);
     }
     void draw(ProgramHandle program) {
         device.setState({.program = program});
@@ -159,6 +164,8 @@ TEST(CheckedDevice, releaseComesBeforeDestruction) {
 
 TEST(CheckedDevice, destroyedObjectsMustNotBeUsed) {
     Watched w;
+    w.frame();
+    w.device.finishFrames();
     w.device.destroyBuffer(w.references);
     w.begin();
     EXPECT_EQ(w.fault(), "buffer 0 is bound but does not exist");

@@ -92,6 +92,40 @@ TEST(VillagersGaits, areThereForEveryone) {
         ADD_FAILURE() << finding.what;
 }
 
+/// True if the point is in the convex hull of the others, or at most `beyond` metres outside; up to the spacing of the tested
+/// directions.
+bool isInHull(const Vec3& point, const std::vector<Vec3>& hull, double beyond) {
+    constexpr int kDirections = 400;
+    for (int k = 0; k < kDirections; ++k) {
+        const double z = 1.0 - 2.0 * (k + 0.5) / kDirections, a = 2.39996323 * k;
+        const Vec3 d(std::sqrt(1.0 - z * z) * std::cos(a), std::sqrt(1.0 - z * z) * std::sin(a), z);
+        double most = -1e300;
+        for (const Vec3& p : hull)
+            most = std::max(most, glm::dot(p, d));
+        if (glm::dot(point, d) > most + beyond)
+            return false;
+    }
+    return true;
+}
+
+TEST(VillagersGaits, keepTheJointsOfArmsAndHeadInTheBody) {
+    for (const Gait gait : {Gait::Stand, Gait::Walk, Gait::Run}) {
+        for (const Actor& a : everyone(gait)) {
+            for (int k = 0; k < 12; ++k) {
+                const double at = a.round() * k / 12.0;
+                const std::vector<Vec3> body = a.corners(kBody, at);
+                for (const std::uint32_t part : {kHead, kLeftArm, kRightArm}) {
+                    // A neck ends at the joint. An arm that holds something does not follow the body's turns.
+                    const Vec3 joint = a.pose(part, at).origin - Vec3(0.0, 0.0, 0.005);
+                    const bool holds = a.villager.name == "watchman" || a.villager.name == "carter";
+                    EXPECT_TRUE(isInHull(joint, body, holds && part != kHead ? 0.03 : 0.0))
+                        << a.villager.name << " part " << part << " at " << at;
+                }
+            }
+        }
+    }
+}
+
 TEST(VillagersGaits, keepFeetOnTheGroundWhileStanding) {
     for (const Actor& a : everyone(Gait::Stand)) {
         for (int k = 0; k < 97; ++k)

@@ -17,6 +17,9 @@ std::vector<GeneratedSpec> specs() {
         out.push_back({GeneratedKind::Complex, seed * 5 % 37 + 1, seed});
         out.push_back({GeneratedKind::Terrain, seed % 6 + 1, seed});
     }
+    for (std::uint32_t seed = 1; seed <= 2; ++seed)
+        for (const GeneratedKind kind : {GeneratedKind::Dungeon, GeneratedKind::Town})
+            out.push_back({kind, 11 * seed, seed, 0.02, true});
     return out;
 }
 
@@ -128,6 +131,31 @@ TEST(Generated, theSameSpecGivesTheSameBytesAndAnotherSeedOthers) {
         }
         EXPECT_FALSE(bytesOf(one.directory() / "client_cell_1.dat") ==
                      bytesOf(other.directory() / "client_cell_1.dat"));
+    }
+}
+
+std::size_t lampsOf(const GeneratedWorld& generated) {
+    std::size_t lamps = 0;
+    for (const dat::BlockCoord block : generated.blocks())
+        lamps += generated.load(block).lights.size();
+    return lamps;
+}
+
+TEST(Generated, furnitureChangesNoCellDoorOrPlace_andLightsRooms) {
+    for (const GeneratedKind kind : {GeneratedKind::Dungeon, GeneratedKind::Town}) {
+        const GeneratedWorld bare({kind, 12, 5}), furnished({kind, 12, 5, 0.02, true});
+        ASSERT_EQ(bare.blocks(), furnished.blocks());
+        for (const dat::BlockCoord block : bare.blocks()) {
+            const world::World a = bare.load(block), b = furnished.load(block);
+            EXPECT_EQ(a.portals, b.portals);
+            EXPECT_EQ(a.portalCorners, b.portalCorners);
+            EXPECT_EQ(a.doors.size(), b.doors.size());
+        }
+        ASSERT_EQ(bare.file().places.size(), furnished.file().places.size());
+        for (std::size_t i = 0; i < bare.file().places.size(); ++i)
+            EXPECT_EQ(bare.file().places[i].eye, furnished.file().places[i].eye);
+        EXPECT_GE(lampsOf(furnished), 8u);
+        EXPECT_GT(lampsOf(furnished), 2 * lampsOf(bare));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "geometry/Angles.h"
 #include "worlds/Shell.h"
 #include "worlds/builtin/buildings/Cottages.h"
 #include "worlds/builtin/buildings/Inn.h"
@@ -46,6 +47,44 @@ TEST(Places, areAllThereAndInTheCellTheyName) {
             EXPECT_NEAR(eyeOf(place).z, feet + 1.7, 0.01) << name;
         }
     }
+}
+
+/// A point of a door leaf at its openness in the file; `along`: metres from the hinge.
+Vec3 onLeaf(const nlohmann::ordered_json& door, const nlohmann::ordered_json& leaf, double along, double up) {
+    const auto& hinge = leaf.at("position");
+    const double turn =
+        (leaf.at("yaw").get<double>() + leaf.at("swing").get<double>() * door.at("open").get<double>()) *
+        kDegree;
+    return {hinge[0].get<double>() + along * std::cos(turn), hinge[1].get<double>() - along * std::sin(turn),
+            hinge[2].get<double>() + up};
+}
+
+/// The angle (degrees) between a place's heading and a point, seen from above.
+double besideView(const nlohmann::ordered_json& place, const Vec3& point) {
+    const Vec3 d = point - eyeOf(place);
+    return std::abs(std::remainder(std::atan2(d.x, d.y) / kDegree - place.at("yaw").get<double>(), 360.0));
+}
+
+TEST(Places, haveNoOpenDoorJustBeforeTheEye) {
+    constexpr double kHalfView = 35.0, kNear = 2.0,
+                     kLeaf = 0.9; // degrees; metres; metres of a leaf that are sampled
+    std::size_t leaves = 0;
+    for (const auto& [name, place] : world().worldFile.at("places").items()) {
+        for (const auto& door : world().worldFile.at("doors")) {
+            if (!door.at("opaque").get<bool>() || door.at("open").get<double>() == 0.0)
+                continue;
+            for (const auto& leaf : door.at("leaves")) {
+                ++leaves;
+                for (int k = 0; k <= 8; ++k) {
+                    const Vec3 p = onLeaf(door, leaf, kLeaf * k / 8, 1.2);
+                    const bool near = glm::length(p - eyeOf(place)) < kNear;
+                    EXPECT_FALSE(near && besideView(place, p) < kHalfView)
+                        << name << ": " << door.at("name") << " at " << k;
+                }
+            }
+        }
+    }
+    EXPECT_GT(leaves, 100u);
 }
 
 TEST(Tour, samplesAreCloseAndInTime) {

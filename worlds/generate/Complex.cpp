@@ -223,9 +223,9 @@ private:
 
 WorldRecords buildComplex(const GeneratedSpec& spec) {
     WorldRecords records;
-    addSmallMaterials(records);
+    addGeneratedMaterials(records, spec.furnished);
     ModelWriter writer(records);
-    const Props props = addProps(writer);
+    const Props props = addProps(writer, spec.furnished);
     Random random(seedOf(spec));
     const OpeningMix mix = mixOf(random);
     const Land land(kBlock, 1, 1, mix.toGround ? kComplexGround : 0);
@@ -240,7 +240,7 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     LandblockWriter block(writer, kBlock, kGeneratedCells);
     const dat::RecordId first = block.add(withClosedSeams(std::move(plan)), at).front();
     if (mix.toGround) {
-        addRegion(writer, addSmallPlants(writer));
+        addRegion(writer, addGeneratedPlants(writer, spec.furnished));
         const double away = 12.0 + std::cbrt(kVolume * spec.size);
         notes.addPlace("outside", blockToGlobal(kBlock, at.origin + Vec3(away, -away, 0.7 * away)),
                        blockToGlobal(kBlock, at.origin + Vec3(0.0, 0.0, 0.3 * away)), 0);

@@ -14,12 +14,12 @@ constexpr dat::BlockCoord kFirstBlock{0x10, 0x20};
 
 WorldRecords buildDungeon(const GeneratedSpec& spec) {
     WorldRecords records;
-    addSmallMaterials(records);
+    addGeneratedMaterials(records, spec.furnished);
     ModelWriter writer(records);
     ShapeLibrary library(records);
     DungeonShapes shapes(library);
-    const Props props = addProps(writer);
-    const DungeonLeaves leaves = addDungeonLeaves(writer);
+    const Props props = addProps(writer, spec.furnished);
+    const DungeonLeaves leaves = addDungeonLeaves(writer, spec.furnished);
     WorldNotes notes;
     const std::uint32_t blocks = (spec.size + kMostCellsOfBlock - 1) / kMostCellsOfBlock;
     for (std::uint32_t b = 0; b < blocks; ++b) {

@@ -1,6 +1,7 @@
 #include "worlds/generate/DungeonBlock.h"
 
 #include "worlds/generate/DungeonDoors.h"
+#include "worlds/generate/Furnish.h"
 #include "worlds/records/LandblockWriter.h"
 
 #include <fmt/format.h>
@@ -120,7 +121,14 @@ private:
     }
 
     void furnish(const LatticeRoom& room, WorldNotes& notes) {
-        if (room.form == Form::Box && random_.chance(0.5))
+        if (props_.furnished) {
+            std::vector<Furnishing> furniture;
+            furnishRoom(furniture, room, props_, apartFrom(random_));
+            for (const Furnishing& piece : furniture)
+                addStatic(room.cell, piece.model, {room.floor + piece.at.origin, piece.at.turn});
+        }
+        const bool lamp = room.form == Form::Box && random_.chance(0.5);
+        if (lamp && !props_.furnished)
             addStatic(room.cell, props_.lamp, {room.floor + Vec3(-2.0, 2.0, 0.0), 0.0});
         if (random_.chance(0.3)) {
             // Clear of the hatch in the middle; in a small room a prop may intersect a wall.
@@ -224,9 +232,9 @@ private:
 
 } // namespace
 
-DungeonLeaves addDungeonLeaves(ModelWriter& writer) {
-    return {addLeaf(writer, 1.25, 2.25, true), addLeaf(writer, 1.0, 2.5, true),
-            addLeaf(writer, 2.0, 2.5, false)};
+DungeonLeaves addDungeonLeaves(ModelWriter& writer, bool furnished) {
+    return {addLeaf(writer, {1.25, 2.25, true, furnished}), addLeaf(writer, {1.0, 2.5, true, furnished}),
+            addLeaf(writer, {2.0, 2.5, false, furnished})};
 }
 
 void writeDungeonBlock(const DungeonTools& tools, dat::BlockCoord coord, const DungeonLayout& layout,

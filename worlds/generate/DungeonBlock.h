@@ -10,7 +10,7 @@ namespace limen::worlds {
 struct DungeonLeaves {
     dat::RecordId narrow = 0, half = 0, glass = 0;
 };
-[[nodiscard]] DungeonLeaves addDungeonLeaves(ModelWriter& writer);
+[[nodiscard]] DungeonLeaves addDungeonLeaves(ModelWriter& writer, bool furnished);
 
 /// The models and shapes of dungeons, and the writer of models.
 struct DungeonTools {

@@ -1,6 +1,7 @@
 #include "worlds/generate/House.h"
 
 #include "core/Assert.h"
+#include "worlds/generate/Furnish.h"
 #include "worlds/records/Carve.h"
 #include "worlds/shapes/RoomPlan.h"
 
@@ -20,6 +21,7 @@ struct Way {
 struct Room {
     RoomSpec spec;
     std::vector<Way> ways;
+    RoomUse use = RoomUse::Living;
 };
 
 class HousePlanner {
@@ -39,6 +41,8 @@ public:
         link();
         addWalls();
         addRoof();
+        if (props_.furnished)
+            addTimbers();
         return std::move(out_);
     }
 
@@ -74,6 +78,7 @@ private:
             rooms_.push_back(
                 room({inner_.u0, middle, inner_.u1, inner_.v1}, 0.0, s_.height, Material::StoneWall));
             rooms_[1].ways.push_back({{Side::South, door}, 0, true});
+            rooms_[1].use = RoomUse::Sleeping;
         }
         Room& back = rooms_.back();
         window(back, Side::North, doorX, 0.875);
@@ -98,6 +103,7 @@ private:
         rooms_.push_back(
             room({over.min.x, over.min.y, over.max.x, over.max.y}, -kCellarDepth, 0.0, Material::Rock));
         rooms_[below].ways.push_back({{Side::Ceiling, hatch}, above, false});
+        rooms_[below].use = RoomUse::Storing;
     }
 
     void addAttic() {
@@ -107,6 +113,7 @@ private:
         rooms_[below].ways.push_back({{Side::Ceiling, hatch}, above, false});
         rooms_.push_back(room(inner_, s_.height, s_.height + kAtticHeight, Material::Plaster));
         rooms_[above].ways.push_back({{Side::Floor, hatch}, below, false});
+        rooms_[above].use = RoomUse::Sleeping;
         window(rooms_[above], Side::South, 0.25, s_.height + 0.75);
         if (random_.chance(0.6))
             window(rooms_[above], Side::East, 0.5 * s_.depth, s_.height + 0.75);
@@ -141,6 +148,8 @@ private:
         const Vec3 middle = (room.spec.min + room.spec.max) * 0.5;
         cell.eye = {middle.x, middle.y, room.spec.min.z + 1.6};
         furnish(cell, room);
+        if (props_.furnished)
+            furnishRoom(cell.statics, room.spec, openings, room.use, props_, apartFrom(random_));
         out_.plan.cells.push_back(std::move(cell));
     }
 
@@ -265,6 +274,21 @@ private:
                                 {3.0 * x, s_.depth / 2, top()}),
                          Material::OldPlanks);
         }
+    }
+
+    /// Adds timbers before the outer walls: a post at each corner and a plate along each wall, clear of openings.
+    void addTimbers() {
+        constexpr double kProud = 0.04, kIn = 0.02, kWide = 0.2, kPlate = 0.24; // metres
+        FaceMesh& mesh = out_.plan.exterior;
+        const double w = s_.halfWidth, d = s_.depth, high = top();
+        const double out = kProud + 0.01; // no face of a post is in one plane with a plate's
+        for (const double x : {-w - out, w + out - kWide})
+            for (const double y : {-out, d + out - kWide})
+                mesh.beam({x, y, s_.foot}, {x + kWide, y + kWide, high - 0.01}, Material::Beam);
+        for (const double y : {-kProud, d - kIn})
+            mesh.beam({-w + 0.1, y, high - kPlate}, {w - 0.1, y + kProud + kIn, high - 0.06}, Material::Beam);
+        for (const double x : {-w - kProud, w - kIn})
+            mesh.beam({x, 0.1, high - kPlate}, {x + kProud + kIn, d - 0.1, high + 0.06}, Material::Beam);
     }
 
     const HouseSpec& s_;

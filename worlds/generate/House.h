@@ -39,7 +39,7 @@ struct House {
 struct HouseLeaves {
     dat::RecordId door = 0, pane = 0;
 };
-[[nodiscard]] HouseLeaves addHouseLeaves(ModelWriter& writer);
+[[nodiscard]] HouseLeaves addHouseLeaves(ModelWriter& writer, bool furnished);
 
 /// Adds doors to a random share of a house's openings.
 void noteDoors(const std::vector<HouseOpening>& openings, const HouseLeaves& leaves, dat::BlockCoord block,

@@ -2,9 +2,9 @@
 
 namespace limen::worlds {
 
-HouseLeaves addHouseLeaves(ModelWriter& writer) {
-    return {addLeaf(writer, kDoorWidth, kDoorHeight, true),
-            addLeaf(writer, kWindowWidth, kWindowHeight, false)};
+HouseLeaves addHouseLeaves(ModelWriter& writer, bool furnished) {
+    return {addLeaf(writer, {kDoorWidth, kDoorHeight, true, furnished}),
+            addLeaf(writer, {kWindowWidth, kWindowHeight, false, furnished})};
 }
 
 void noteDoors(const std::vector<HouseOpening>& openings, const HouseLeaves& leaves, dat::BlockCoord block,

@@ -25,10 +25,10 @@ int Land::heightIndexAt(int vx, int vy) const {
     return heights_[indexOf(std::clamp(vx, 0, verticesX_ - 1), std::clamp(vy, 0, verticesY_ - 1))];
 }
 
-void Land::setCover(int vx, int vy, TerrainKind kind, bool road) {
+void Land::setCover(int vx, int vy, TerrainKind kind, bool road, std::uint32_t scenery) {
     if (vx >= 0 && vy >= 0 && vx < verticesX_ && vy < verticesY_) {
-        words_[indexOf(vx, vy)] =
-            static_cast<std::uint16_t>((road ? 1u : 0u) | static_cast<std::uint32_t>(kind) << 2);
+        words_[indexOf(vx, vy)] = static_cast<std::uint16_t>(
+            (road ? 1u : 0u) | static_cast<std::uint32_t>(kind) << 2 | scenery << 11);
     }
 }
 

@@ -18,7 +18,7 @@ public:
     [[nodiscard]] int verticesY() const { return verticesY_; }
     void setHeight(int vx, int vy, int heightIndex);
     [[nodiscard]] int heightIndexAt(int vx, int vy) const;
-    void setCover(int vx, int vy, TerrainKind kind, bool road);
+    void setCover(int vx, int vy, TerrainKind kind, bool road, std::uint32_t scenery = 0);
 
     /// The height (metres) of the ground's triangle at a point in metres from the south-west corner.
     [[nodiscard]] double heightAt(double x, double y) const;

@@ -42,11 +42,11 @@ public:
     }
 
     WorldRecords build() {
-        addSmallMaterials(records_);
-        props_ = addProps(writer_);
-        houseLeaves_ = addHouseLeaves(writer_);
-        dungeonLeaves_ = addDungeonLeaves(writer_);
-        addRegion(writer_, addSmallPlants(writer_));
+        addGeneratedMaterials(records_, spec_.furnished);
+        props_ = addProps(writer_, spec_.furnished);
+        houseLeaves_ = addHouseLeaves(writer_, spec_.furnished);
+        dungeonLeaves_ = addDungeonLeaves(writer_, spec_.furnished);
+        addRegion(writer_, addGeneratedPlants(writer_, spec_.furnished));
         raise();
         addTowns();
         land_.addTo(records_, [&](int bx, int by) { return !isDungeon(bx, by); });

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "worlds/records/ModelWriter.h"
+#include "worlds/builtin/dungeon/DungeonProps.h"
 #include "worlds/shapes/Random.h"
+
+#include <vector>
 
 namespace limen::worlds {
 
@@ -13,14 +15,23 @@ struct Props {
     dat::RecordId rod = 0;    ///< 1.6 m along x, around its origin
     dat::RecordId pole = 0;   ///< 1.6 m along z, around its origin
     dat::RecordId fence = 0;  ///< 3 m along x, from the origin
-    dat::RecordId lamp = 0;   ///< a candle on the floor that lights its room
+    dat::RecordId lamp = 0;   ///< a candle that lights its room
+    /// The models that pickProp chooses from, by kind: pillars, screens, lamps, crates and the like.
+    std::vector<std::vector<dat::RecordId>> standing;
+    bool furnished = false;
+    DungeonProps builtIn; ///< if furnished: furniture and lights of the built-in world
 };
-[[nodiscard]] Props addProps(ModelWriter& writer);
+[[nodiscard]] Props addProps(ModelWriter& writer, bool furnished);
 
-/// A random crate, pillar, screen or lamp: props that stand on a floor.
+/// A random prop that stands on a floor.
 [[nodiscard]] dat::RecordId pickProp(const Props& props, Random& random);
 
-/// A door leaf, hinge at the origin, along +x, `width` × `height` metres; glass if not opaque.
-[[nodiscard]] dat::RecordId addLeaf(ModelWriter& writer, double width, double height, bool opaque);
+struct LeafSpec {
+    double width = 1.0, height = 2.0; ///< metres
+    bool opaque = true;               ///< else glass
+    bool furnished = false;           ///< as in the built-in world
+};
+/// A door leaf, hinge at the origin, along +x.
+[[nodiscard]] dat::RecordId addLeaf(ModelWriter& writer, const LeafSpec& leaf);
 
 } // namespace limen::worlds

@@ -65,6 +65,8 @@ Look lookOf(Material material) {
         return {{0.01f, 0.02f, 0.06f}, {0.05f, 0.06f, 0.12f}, Pattern::Horizon};
     case Material::Embers:
         return {{1.0f, 0.55f, 0.15f}, {0.45f, 0.10f, 0.02f}, Pattern::Grain};
+    case Material::Shadow:
+        return {{0.02f, 0.02f, 0.03f}, {0.02f, 0.02f, 0.03f}, Pattern::Glow};
     case Material::WaterDark:
         return {{0.10f, 0.18f, 0.22f}, {0.05f, 0.09f, 0.12f}, Pattern::Grain};
     default:
@@ -175,6 +177,18 @@ void addSmallMaterials(WorldRecords& records) {
             encodeImage(canvas, blend ? dat::PixelFormat::LandscapeAlpha : dat::PixelFormat::A8R8G8B8).image;
         image.id = id;
     }
+}
+
+void addGeneratedMaterials(WorldRecords& records, bool furnished) {
+    if (furnished)
+        addMaterials(records, Pictures::Painted);
+    else
+        addSmallMaterials(records);
+}
+
+Plants addGeneratedPlants(ModelWriter& writer, bool furnished) {
+    constexpr int kField = 64; // texels across a plant
+    return furnished ? addPlants(writer, paintMaterial, kField) : addSmallPlants(writer);
 }
 
 Plants addSmallPlants(ModelWriter& writer) {

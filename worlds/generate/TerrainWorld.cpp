@@ -30,10 +30,10 @@ public:
           land_(kSouthWestOfLand, across_, rowsOf(blocks_, across_), kSitesGround) {}
 
     WorldRecords build() {
-        addSmallMaterials(records_);
-        props_ = addProps(writer_);
-        leaves_ = addHouseLeaves(writer_);
-        addRegion(writer_, addSmallPlants(writer_));
+        addGeneratedMaterials(records_, spec_.furnished);
+        props_ = addProps(writer_, spec_.furnished);
+        leaves_ = addHouseLeaves(writer_, spec_.furnished);
+        addRegion(writer_, addGeneratedPlants(writer_, spec_.furnished));
         const std::uint32_t first = random_.below(static_cast<std::uint32_t>(Site::Count));
         std::uint32_t site = 0;
         for (int by = 0; by < rowsOf(blocks_, across_); ++by) {

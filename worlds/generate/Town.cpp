@@ -23,10 +23,10 @@ public:
                 kTownGround) {}
 
     WorldRecords build() {
-        addSmallMaterials(records_);
-        props_ = addProps(writer_);
-        leaves_ = addHouseLeaves(writer_);
-        addRegion(writer_, addSmallPlants(writer_));
+        addGeneratedMaterials(records_, spec_.furnished);
+        props_ = addProps(writer_, spec_.furnished);
+        leaves_ = addHouseLeaves(writer_, spec_.furnished);
+        addRegion(writer_, addGeneratedPlants(writer_, spec_.furnished));
         roll();
         TownBlocks town({writer_, props_, leaves_, notes_}, land_, random_);
         for (std::uint32_t b = 0; b < blocks_; ++b) {
@@ -62,7 +62,7 @@ private:
             for (int vy = 0; vy < land_.verticesY(); ++vy) {
                 land_.setHeight(vx, vy, kTownGround + static_cast<int>(random_.below(4)));
                 land_.setCover(vx, vy, random_.chance(0.3) ? TerrainKind::PackedDirt : TerrainKind::LushGrass,
-                               false);
+                               false, spec_.furnished ? 1 : 0);
             }
         }
     }

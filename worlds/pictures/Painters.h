@@ -29,7 +29,8 @@ struct BoardStyle {
 
 [[nodiscard]] Canvas paintRug();
 [[nodiscard]] Canvas paintBlanket();
-[[nodiscard]] Canvas paintLinen();
+/// Woven cloth; `threads`: along each side of the picture.
+[[nodiscard]] Canvas paintLinen(const Vec3f& colour, int threads);
 [[nodiscard]] Canvas paintBooks();
 [[nodiscard]] Canvas paintEmbers();
 [[nodiscard]] Canvas paintFlame(); ///< does not tile; alpha is the glow
@@ -49,6 +50,7 @@ struct BoardStyle {
 [[nodiscard]] Canvas paintFirefly();
 [[nodiscard]] Canvas paintSnowflake();
 [[nodiscard]] Canvas paintSwirl();
+[[nodiscard]] Canvas paintShadow();
 
 /// Grass from thousands of strokes over mottled earth. `bare` 0..1 is the share of earth that shows.
 struct GrassStyle {
@@ -60,10 +62,10 @@ struct GrassStyle {
 [[nodiscard]] Canvas paintDirt();
 [[nodiscard]] Canvas paintForestFloor();
 [[nodiscard]] Canvas paintStream(); ///< ripples over a dark bed
-[[nodiscard]] Canvas paintRoad();   ///< two wheel ruts along u, a tenth above and below the v = 0 border
+[[nodiscard]] Canvas paintRoad();   ///< trodden earth without a direction; blend maps make the lane
 
 /// Blend maps: alpha 1 shows the lower layer. A corner for code 8 (north-west), a side for code 9 (the west
-/// edge), and the same for lanes, whose edge is `reach` (share of a landcell) from the corner or side.
+/// edge), and the same for lanes, an eighth of a landcell to each side, with patches of grass along the middle.
 enum class BlendShape : std::uint8_t { Corner, Side, RoadCorner, RoadSide, RoadDiagonal };
 [[nodiscard]] Canvas paintBlend(BlendShape shape, std::uint32_t seed);
 

@@ -67,11 +67,10 @@ Canvas paintBlanket() {
     });
 }
 
-Canvas paintLinen() {
-    return Canvas::paint(kClothSize, kClothSize, [](double u, double v) {
+Canvas paintLinen(const Vec3f& colour, int threads) {
+    return Canvas::paint(kClothSize, kClothSize, [&](double u, double v) {
         const double folds = fbm(u, v, 3, 2, 4, 931);
-        return Vec4f(Vec3f(0.80f, 0.76f, 0.67f) * weave(u, v, 80) * static_cast<float>(1.0 + 0.14 * folds),
-                     1.0f);
+        return Vec4f(colour * weave(u, v, threads) * static_cast<float>(1.0 + 0.14 * folds), 1.0f);
     });
 }
 

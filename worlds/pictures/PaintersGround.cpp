@@ -86,69 +86,83 @@ Canvas paintForestFloor() {
 }
 
 Canvas paintStream() {
+    // One repeat covers a landcell, so that no repetition shows from a hill.
     return Canvas::paint(kGroundSize, kGroundSize, [](double u, double v) {
-        const double depth = 0.5 + 0.7 * fbm(u, v, 3, 3, 4, 1601);
-        Vec3f water = mixColour(Vec3f(0.13f, 0.20f, 0.20f), Vec3f(0.22f, 0.31f, 0.29f), depth);
+        const double depth = 0.5 + 0.6 * fbm(u, v, 4, 4, 5, 1601);
+        Vec3f water = mixColour(Vec3f(0.13f, 0.20f, 0.20f), Vec3f(0.20f, 0.285f, 0.27f), depth);
         // Slower noise moves the crests. The sky's reflection is brightest where two crests meet.
-        const double wander = 0.035 * fbm(u, v, 5, 5, 3, 1603);
-        const double crest = ridged(u + wander, v - wander, 9, 9, 3, 1605);
+        const double wander = 0.02 * fbm(u, v, 10, 10, 3, 1603);
+        const double crest = ridged(u + wander, v - wander, 26, 26, 3, 1605);
         const double sky = smoothStep(0.62, 0.95, crest);
-        water = mixColour(water, Vec3f(0.50f, 0.58f, 0.60f), 0.55 * sky);
-        return Vec4f(water * static_cast<float>(0.94 + 0.12 * crest), 1.0f);
+        water = mixColour(water, Vec3f(0.46f, 0.54f, 0.56f), 0.4 * sky);
+        return Vec4f(water * static_cast<float>(0.95 + 0.10 * crest), 1.0f);
     });
 }
 
 Canvas paintRoad() {
+    // The picture lies the same way under lanes of every direction: it has no direction of its own.
     Canvas canvas = Canvas::paint(kGroundSize, kGroundSize, [](double u, double v) {
         const double tone = 0.5 + 0.5 * fbm(u, v, 6, 6, 6, 1501);
-        Vec3f earth = mixColour(Vec3f(0.37f, 0.29f, 0.195f), Vec3f(0.56f, 0.465f, 0.335f), tone);
+        Vec3f earth = mixColour(Vec3f(0.36f, 0.28f, 0.19f), Vec3f(0.55f, 0.455f, 0.325f), tone);
         earth = withPebbles(withPebbles(earth, u, v, 40, 0.3, 1503), u, v, 84, 0.3, 1505);
-        // Wheel ruts are beside the border, which is the middle of the lane.
-        const double fromMiddle = std::min(v, 1.0 - v) + 0.012 * fbm(u, v, 4, 4, 3, 1507);
-        const double rut = std::exp(-std::pow((fromMiddle - 0.105) / 0.026, 2.0));
-        const double lip = std::exp(-std::pow((fromMiddle - 0.155) / 0.020, 2.0));
-        return Vec4f(earth * static_cast<float>(1.0 - 0.34 * rut + 0.10 * lip), 1.0f);
+        const double worn = smoothStep(-0.1, 0.35, fbm(u, v, 3, 3, 4, 1507));
+        return Vec4f(earth * static_cast<float>(1.04 - 0.16 * worn), 1.0f);
     });
-    for (std::uint32_t i = 0; i < 2600; ++i) {
-        // Grass grows only between the ruts.
-        const double y = kGroundSize * 0.055 * (random01(i, 2, 1509) - 0.5) * 2.0;
-        const double x = kGroundSize * random01(i, 1, 1509);
-        if (fbm(x / kGroundSize, 0.5, 8, 2, 3, 1511) < -0.05)
+    for (std::uint32_t i = 0; i < 900; ++i) {
+        const double x = kGroundSize * random01(i, 1, 1509), y = kGroundSize * random01(i, 2, 1509);
+        if (fbm(x / kGroundSize, y / kGroundSize, 5, 5, 3, 1511) < 0.2)
             continue;
         const double a = 6.2831853 * random01(i, 3, 1509);
         const Vec3f colour =
-            mixColour(Vec3f(0.22f, 0.28f, 0.09f), Vec3f(0.47f, 0.48f, 0.20f), random01(i, 4, 1509));
+            mixColour(Vec3f(0.24f, 0.28f, 0.11f), Vec3f(0.45f, 0.45f, 0.21f), random01(i, 4, 1509));
         drawStroke(canvas,
-                   {{x, y}, {x + 7.0 * std::cos(a), y + 7.0 * std::sin(a)}, 1.8, 0.7, Vec4f(colour, 0.8f)});
+                   {{x, y}, {x + 7.0 * std::cos(a), y + 7.0 * std::sin(a)}, 1.8, 0.7, Vec4f(colour, 0.7f)});
     }
     return canvas;
 }
+
+namespace {
+
+/// The share of a lane that its grassy crown covers, between the wheel tracks. `fromMiddle`: shares of a landcell from the
+/// middle; `toEnd`: from the nearer end of the lane in this landcell. Lanes bend at the ends, so the crown stops there.
+double crownOf(double fromMiddle, double toEnd, double u, double v, std::uint32_t seed) {
+    const double strip = 1.0 - smoothStep(0.010, 0.032, fromMiddle + 0.012 * fbm(u, v, 12, 12, 3, seed + 1));
+    const double patch = smoothStep(-0.22, 0.12, fbm(u, v, 7, 7, 3, seed + 2));
+    return 0.8 * strip * patch * smoothStep(0.01, 0.10, toEnd);
+}
+
+} // namespace
 
 Canvas paintBlend(BlendShape shape, std::uint32_t seed) {
     // North is up: v = 0 is the north edge. The overlay shows where alpha is 0.
     return Canvas::paint(256, 256, [=](double u, double v) {
         const bool road = shape >= BlendShape::RoadCorner;
         const double reach = road ? 0.125 : 0.5;
-        const double soft = road ? 0.035 : 0.14;
-        const double rough = road ? 0.045 : 0.30;
-        double distance = 0.0;
+        const double soft = road ? 0.035 : 0.10;
+        const double rough = road ? 0.045 : 0.18;
+        double distance = 0.0, crown = 0.0;
         switch (shape) {
         case BlendShape::Corner:
         case BlendShape::RoadCorner:
             distance = road ? (u + v) * 0.70710678 : std::hypot(u, v);
             break;
         case BlendShape::Side:
+            distance = u;
+            break;
         case BlendShape::RoadSide:
             distance = u;
+            crown = crownOf(distance, std::min(v, 1.0 - v), u, v, seed);
             break;
         case BlendShape::RoadDiagonal:
             distance = std::abs(u - v) * 0.70710678;
+            crown = crownOf(distance, std::min({u, v, 1.0 - u, 1.0 - v}), u, v, seed);
             break;
         }
         // The edge gets smooth towards the cell's borders, so that neighbouring cells match.
-        const double calm = std::min(1.0, 8.0 * std::min({u, v, 1.0 - u, 1.0 - v}) + (road ? 0.0 : 0.1));
-        distance += rough * calm * fbm(u, v, 5, 5, 5, seed);
-        return Vec4f(1.0f, 1.0f, 1.0f, static_cast<float>(smoothStep(reach - soft, reach + soft, distance)));
+        const double calm = std::min(1.0, 8.0 * std::min({u, v, 1.0 - u, 1.0 - v}));
+        distance += rough * calm * fbm(u, v, 5, 5, road ? 5 : 4, seed);
+        const double edge = smoothStep(reach - soft, reach + soft, distance);
+        return Vec4f(1.0f, 1.0f, 1.0f, static_cast<float>(std::max(edge, crown)));
     });
 }
 

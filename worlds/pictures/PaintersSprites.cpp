@@ -35,6 +35,13 @@ Canvas paintGlass() {
     });
 }
 
+Canvas paintShadow() {
+    constexpr int kSize = 64; // it has no detail
+    return Canvas::paint(kSize, kSize, [](double u, double v) {
+        return withAlpha(Vec3f(0.02f, 0.02f, 0.03f), 0.62 * smoothStep(0.0, 0.85, disc(u, v)));
+    });
+}
+
 Canvas paintSmoke() {
     return Canvas::paint(kSpriteSize, kSpriteSize, [](double u, double v) {
         const double cloud = 0.62 + 0.55 * fbm(u, v, 4, 4, 4, 3111);

@@ -28,11 +28,14 @@ MaterialRecipe glow(PixelFormat format, std::uint32_t type) {
 
 MaterialRecipe folkRecipe(Material material) {
     switch (material) {
+    case Material::Sacking:
+        return image(1.0, PixelFormat::Dxt1);
     case Material::Glass:
         return {0.5, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     case Material::Snowflake: // bright from all sides
         return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha | S::kLuminous, 0.62f, 1.0f, 0.0f, 0};
     case Material::Smoke:
+    case Material::Shadow:
         return {1.0, PixelFormat::A8R8G8B8, S::kBase1Image | S::kAlpha, 0.0f, 1.0f, 0.0f, 0};
     case Material::Fire:
     case Material::Firefly:

@@ -40,6 +40,10 @@ Canvas paintSprite(Material material) {
         return paintSnowflake();
     case Material::Swirl:
         return paintSwirl();
+    case Material::Shadow:
+        return paintShadow();
+    case Material::Sacking:
+        return paintLinen({0.46f, 0.37f, 0.25f}, 40);
     default:
         return Canvas(0, 0);
     }
@@ -229,7 +233,7 @@ Canvas paintMaterial(Material material) {
     case Material::Blanket:
         return paintBlanket();
     case Material::Linen:
-        return paintLinen();
+        return paintLinen({0.80f, 0.76f, 0.67f}, 80);
     case Material::Books:
         return paintBooks();
     case Material::BarrelStaves:

@@ -59,6 +59,8 @@ enum class Material : std::uint8_t {
     BrownCloth,
     RedCloth,
     FarPlants, ///< cut-out: plants drawn from the side, for their far levels of detail
+    Sacking,   ///< coarse brown cloth
+    Shadow,    ///< translucent: a soft dark disc on the ground below a body
     Count
 };
 

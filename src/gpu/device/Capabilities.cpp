@@ -14,7 +14,7 @@ namespace {
 // Storage buffers of SharedLayout.h, and the most that the programs of a stage read. Some drivers allow a
 // stage 16.
 constexpr int kStorageBindings = static_cast<int>(frame::gpu::kStorageBindings);
-constexpr int kVertexBlocks = 10, kFragmentBlocks = 10, kComputeBlocks = 5;
+constexpr int kVertexBlocks = 5, kFragmentBlocks = 5, kComputeBlocks = 5;
 // The ownership target, the arrays read as texels, and at least one array page for each wrapping mode.
 constexpr int kLeastTextureUnits = static_cast<int>(frame::gpu::kUnitFirstPage) + 2;
 // for stages that sample no page

@@ -137,7 +137,7 @@ Result<TextureHandle> CheckedDevice::createTexels(std::string_view label, Buffer
     expectBuffer(buffer, "is viewed as texels");
     Result<TextureHandle> texture = ForwardingDevice::createTexels(label, buffer);
     if (texture)
-        textures_[*texture] = {std::string(label)};
+        textures_[*texture] = {std::string(label), 0, buffer};
     return texture;
 }
 
@@ -236,17 +236,19 @@ std::span<std::byte> CheckedDevice::beginFrame(TargetHandle target, const Viewpo
 void CheckedDevice::bindStorage(std::span<const StorageRange> ranges) {
     for (const StorageRange& range : ranges)
         expectBuffer(range.buffer, "is bound");
-    references_ = nullptr;
-    if (ranges.size() > layout::kBindTextures) {
-        if (const auto found = buffers_.find(ranges[layout::kBindTextures].buffer); found != buffers_.end())
-            references_ = found->second;
-    }
     ForwardingDevice::bindStorage(ranges);
 }
 
 void CheckedDevice::bindTextures(std::span<const TextureHandle> textures, bool withDrawn) {
     for (const TextureHandle texture : textures)
         expectTexture(texture, "is bound");
+    constexpr std::size_t kReferences = layout::kUnitTextures - layout::kUnitVertices;
+    references_ = nullptr;
+    if (textures.size() > kReferences) {
+        const auto texels = textures_.find(textures[kReferences]);
+        const auto found = texels != textures_.end() ? buffers_.find(texels->second.viewed) : buffers_.end();
+        references_ = found != buffers_.end() ? found->second : nullptr;
+    }
     ForwardingDevice::bindTextures(textures, withDrawn);
 }
 

@@ -55,7 +55,8 @@ private:
     using Bytes = std::shared_ptr<const std::vector<std::byte>>;
     struct Texture {
         std::string label;
-        std::uint64_t resident = 0; ///< its handle; 0: none
+        std::uint64_t resident = 0;                  ///< its handle; 0: none
+        BufferHandle viewed = BufferHandle::Invalid; ///< as texels
     };
 
     void fault(std::string what);

@@ -186,7 +186,8 @@ public:
     /// Starts a frame on `target` and yields its ring memory, at least as reserved. Waits if the GPU is three
     /// frames behind.
     [[nodiscard]] virtual std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) = 0;
-    /// Binds range kBindFrame as the uniform block, and every other range i to storage binding i.
+    /// Binds range kBindFrame as the uniform block, and every other range i to storage binding i. At
+    /// least the first.
     virtual void bindStorage(std::span<const StorageRange> ranges) = 0;
     /// Binds the target's ownership and depth images and the ring memory to their units, and `textures` from
     /// kUnitVertices on. `withDrawn`: the target's colour and id images take the place of the textures at

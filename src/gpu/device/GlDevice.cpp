@@ -135,8 +135,7 @@ std::span<std::byte> GlDevice::beginFrame(TargetHandle target, const Viewport& v
 }
 
 void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
-    LIMEN_ASSERT(ranges.size() > kFirstBinding && ranges.size() <= kMaxBindings,
-                 "bindings of SharedLayout.h");
+    LIMEN_ASSERT(!ranges.empty() && ranges.size() <= kMaxBindings, "bindings of SharedLayout.h");
     std::array<GLuint, kMaxBindings> names{};
     std::array<GLintptr, kMaxBindings> offsets{};
     std::array<GLsizeiptr, kMaxBindings> sizes{};
@@ -151,9 +150,10 @@ void GlDevice::bindStorage(std::span<const StorageRange> ranges) {
     constexpr std::size_t kFrame = frame::gpu::kBindFrame;
     call(glBindBufferRange, GLenum{GL_UNIFORM_BUFFER}, GLuint{kFrame}, names[kFrame], offsets[kFrame],
          sizes[kFrame]);
-    call(glBindBuffersRange, GLenum{GL_SHADER_STORAGE_BUFFER}, kFirstBinding,
-         static_cast<GLsizei>(ranges.size() - kFirstBinding), &names[kFirstBinding], &offsets[kFirstBinding],
-         &sizes[kFirstBinding]);
+    if (ranges.size() > kFirstBinding)
+        call(glBindBuffersRange, GLenum{GL_SHADER_STORAGE_BUFFER}, kFirstBinding,
+             static_cast<GLsizei>(ranges.size() - kFirstBinding), &names[kFirstBinding],
+             &offsets[kFirstBinding], &sizes[kFirstBinding]);
 }
 
 void GlDevice::bindTextures(std::span<const TextureHandle> textures, bool withDrawn) {

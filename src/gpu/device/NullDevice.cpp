@@ -163,7 +163,8 @@ void NullDevice::record(CommandKind kind, std::size_t a, std::size_t b, std::uin
 
 void NullDevice::bindStorage(std::span<const StorageRange> ranges) {
     storage_.assign(ranges.begin(), ranges.end());
-    record(CommandKind::BindStorage, ranges.size(), 0, 2); // the uniform block, the others
+    record(CommandKind::BindStorage, ranges.size(), 0,
+           ranges.size() > 1 ? 2 : 1); // the uniform block, storage
 }
 
 void NullDevice::bindTextures(std::span<const TextureHandle> textures, bool) {

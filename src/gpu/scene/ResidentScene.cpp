@@ -53,17 +53,17 @@ void ResidentScene::listArrays() {
     const auto texels = [&](std::uint32_t unit, const char* label, std::span<const std::byte> bytes) {
         arrays_.push_back({label, bytes, kNowhere, unit});
     };
-    storage(layout::kBindMaterials, "materials", bytesOf(scene_->materials));
-    storage(layout::kBindMaterialRefs, "material references", bytesOf(scene_->materialRefs));
+    texels(layout::kUnitMaterials, "materials", bytesOf(scene_->materials));
+    texels(layout::kUnitMaterialRefs, "material references", bytesOf(scene_->materialRefs));
     if (packsTerrain_) {
         packed_ = packTerrain(scene_->terrainCells, textures_.refs());
-        storage(layout::kBindTerrain, "packed terrain cells", bytesOf(packed_));
+        texels(layout::kUnitTerrain, "packed terrain cells", bytesOf(packed_));
     } else {
-        storage(layout::kBindTerrain, "terrain cells", bytesOf(scene_->terrainCells));
+        texels(layout::kUnitTerrain, "terrain cells", bytesOf(scene_->terrainCells));
     }
     storage(layout::kBindLightSets, "light sets", bytesOf(scene_->lightSets));
     storage(layout::kBindLampRefs, "lamp references", bytesOf(scene_->lampRefs));
-    storage(layout::kBindTextures, "texture references", std::as_bytes(textures_.refs()));
+    texels(layout::kUnitTextures, "texture references", std::as_bytes(textures_.refs()));
     storage(layout::kBindLevels, "levels of detail", bytesOf(scene_->levels));
     storage(layout::kBindIndices, "indices", bytesOf(scene_->indices));
     texels(layout::kUnitVertices, "vertices", bytesOf(scene_->vertices));

@@ -207,8 +207,8 @@ dat::RecordId addSacks(ModelWriter& writer) {
                        .upper = rings[k + 1].x,
                        .height = rings[k + 1].y - rings[k].y,
                        .sides = 10,
-                       .side = Material::Linen,
-                       .cap = Material::Linen,
+                       .side = Material::Sacking,
+                       .cap = Material::Sacking,
                        .caps = k + 2 == rings.size()});
     }
     const dat::RecordId id = writer.addMesh(sack);

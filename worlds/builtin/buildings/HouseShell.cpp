@@ -107,20 +107,54 @@ std::vector<Face> wallFaces(const HouseShell& h) {
     return faces;
 }
 
+constexpr double kPlinthOut = 0.08; ///< metres that the plinth stands out from the wall
+
+/// A point in front of a wall: `u` along it, `out` metres outwards from its outer plane, at height `z`.
+Vec3 onWall(const HouseShell& h, Side side, double u, double out, double z) {
+    const double at = outerPlane(h, side) + outward(side) * out;
+    return side == Side::West || side == Side::East ? Vec3(at, u, z) : Vec3(u, at, z);
+}
+
+/// Adds a piece of the plinth, r.v0 to r.v1. Its top is a weathering, a slope of 45 degrees: a level ledge is thinner than a
+/// pixel from afar and shows as a dashed line. `west`, `east`: that end is a corner of the house, mitred with the next wall.
+void addPlinthPiece(FaceMesh& mesh, const HouseShell& h, Side side, const Rect& r, bool west, bool east) {
+    constexpr double kEdge = 0.04; // metres: the front's upper edge is this much lower than r.v1
+    const double rise = kPlinthOut + kBedded;
+    struct Corner {
+        double out, z;
+    };
+    const std::array<Corner, 4> profile{Corner{-kBedded, r.v0}, Corner{kPlinthOut, r.v0},
+                                        Corner{kPlinthOut, r.v1 - kEdge},
+                                        Corner{-kBedded, r.v1 - kEdge + rise}};
+    std::vector<Vec3> from, to;
+    for (const Corner& c : profile) {
+        from.push_back(onWall(h, side, r.u0 - (west ? c.out : 0.0), c.out, c.z));
+        to.push_back(onWall(h, side, r.u1 + (east ? c.out : 0.0), c.out, c.z));
+    }
+    const Vec3 inside = onWall(h, side, 0.5 * (r.u0 + r.u1), -1.0, r.v0);
+    const auto add = [&](std::vector<Vec3> points) {
+        Face face = planarFace(points, Material::StoneWall);
+        const bool outwards = glm::dot(faceNormal(face), points[0] - inside) > 0.0;
+        if (!outwards)
+            std::reverse(points.begin(), points.end());
+        mesh.add(outwards ? std::move(face) : planarFace(std::move(points), Material::StoneWall));
+    };
+    add({from[1], to[1], to[2], from[2]});
+    add({from[2], to[2], to[3], from[3]});
+    if (!west)
+        add(from);
+    if (!east)
+        add(to);
+}
+
 /// Adds protruding stones at the foot of the walls, with gaps at doors.
 void addPlinth(FaceMesh& mesh, const HouseShell& h) {
     for (const Side side : kWalls) {
         const auto [u0, u1] = wallSpan(h, side);
-        const bool corner = side == Side::South || side == Side::North;
-        const double extra =
-            corner ? 0.08 : -kBedded; // the side walls' stones end at the backs of the others
-        for (const Rect& r :
-             withoutHoles({u0 - extra, h.base, u1 + extra, kPlinthTop}, holesOf(h, side, 0.015))) {
+        for (const Rect& r : withoutHoles({u0, h.base, u1, kPlinthTop}, holesOf(h, side, 0.015))) {
             // Below a door's sill the stones support the steps. They end below the floor.
-            const double top = r.v1 < kPlinthTop ? r.v1 - 0.02 : r.v1;
-            const auto [min, max] =
-                boxOnWall(side, outerPlane(h, side), {r.u0, r.v0, r.u1, top}, -kBedded, 0.08);
-            mesh.box(min, max, Material::StoneWall);
+            const double top = r.v1 < kPlinthTop ? r.v1 - 0.09 : r.v1;
+            addPlinthPiece(mesh, h, side, {r.u0, r.v0, r.u1, top}, r.u0 == u0, r.u1 == u1);
         }
     }
 }

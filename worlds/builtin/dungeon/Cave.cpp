@@ -10,6 +10,17 @@ namespace {
 
 using RockRing = std::vector<Vec3>;
 
+constexpr double kLipRough = 0.2; ///< metres; the rough of the ring at the opening is less
+constexpr double kHalfMouth = 1.5;
+
+/// A point of a ring's lower half, lowered to `z` and moved out to its middle's width: rock that narrows downwards would show
+/// its dark underside. The middle of the floor stays in the middle.
+Vec3 underground(const Vec3& rock, double halfWidth, double z) {
+    const double half = std::abs(rock.x);
+    const double wide = half > 0.4 * halfWidth ? std::max(half, halfWidth + 0.3) : half;
+    return {std::copysign(wide, rock.x), rock.y, std::min(rock.z, z)};
+}
+
 /// A ring of rock points around the mouth: its corners and the middles of its sides, moved outwards by `out`
 /// metres, at depth `y`, with random offsets of up to `rough`.
 RockRing rockRing(std::uint32_t number, double out, double y, double rough) {
@@ -25,7 +36,10 @@ RockRing rockRing(std::uint32_t number, double out, double y, double rough) {
                 return rough * (2.0 * random01(number, k, 6100 + axis) - 1.0);
             };
             const Vec3 away = glm::normalize(p - middle);
-            ring.push_back(p + away * (out + shake(0)) + Vec3(0.3 * shake(1), y + shake(2), 0.0));
+            Vec3 rock = p + away * (out + shake(0)) + Vec3(0.3 * shake(1), y + shake(2), 0.0);
+            if (rough > kLipRough && p.z < 0.9)
+                rock = underground(rock, kHalfMouth + out, p.z > 0.25 ? -0.5 : -1.8);
+            ring.push_back(rock);
         }
     }
     return ring;

@@ -119,10 +119,11 @@ void addRoof(std::vector<Face>& faces) {
 void addMerlons(FaceMesh& mesh) {
     FaceMesh merlon;
     for (const double y : {-1.12, 1.12}) {
-        merlon.box({kTowerOuter + 0.02, y - 0.55, kParapetTop - 0.1},
-                   {kParapet - 0.05, y + 0.55, kParapetTop + 0.85}, Material::StoneWall);
-        merlon.box({kTowerOuter - 0.04, y - 0.61, kParapetTop + 0.85},
-                   {kParapet + 0.04, y + 0.61, kParapetTop + 0.95}, Material::Rock);
+        // A merlon covers the edges of the parapet: a narrow ledge would show as a dashed line.
+        merlon.box({kTowerOuter - 0.02, y - 0.55, kParapetTop - 0.1},
+                   {kParapet + 0.02, y + 0.55, kParapetTop + 0.85}, Material::StoneWall);
+        merlon.box({kTowerOuter - 0.08, y - 0.61, kParapetTop + 0.85},
+                   {kParapet + 0.08, y + 0.61, kParapetTop + 0.95}, Material::Rock);
     }
     for (int k = 0; k < 8; ++k)
         mesh.append(merlon, {{}, 45.0 * k});

@@ -226,15 +226,20 @@ FaceMesh stumpMesh(int sides) {
 FaceMesh stoneMesh(const Vec3& size, std::uint32_t seed, int step) {
     constexpr int kAround = 8;
     constexpr int kRings = 4;
+    constexpr double kFoot = 1.3, kDepth = 1.0; // half width and depth of its foot, in half sizes
     const auto at = [&](int ring, int k) {
         const double polar = 3.14159265 * ring / kRings;
         const double a = kTurn * (k % kAround) / kAround;
         const bool pole = ring == 0 || ring == kRings;
         const auto key = static_cast<std::uint32_t>(ring * 64 + (pole ? 0 : k % kAround));
         const double lump = 0.78 + 0.44 * random01(key, seed);
-        return size * lump *
-                   Vec3(std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar)) +
-               Vec3(0, 0, size.z * 0.45);
+        if (2 * ring <= kRings)
+            return size * lump *
+                       Vec3(std::sin(polar) * std::cos(a), std::sin(polar) * std::sin(a), std::cos(polar)) +
+                   Vec3(0, 0, size.z * 0.45);
+        // Deep in the ground the stone is wider than above, so that it shows no underside on a slope either.
+        return Vec3(size.x, size.y, size.z) * Vec3(std::cos(a), std::sin(a), 0.0) * (pole ? 0.0 : kFoot) -
+               Vec3(0, 0, kDepth * size.z);
     };
     FaceMesh mesh;
     for (int ring = 0; ring < kRings; ++ring) {

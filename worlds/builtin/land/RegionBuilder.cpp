@@ -29,9 +29,16 @@ struct Sprinkle {
     double minScale = 0.8, maxScale = 1.2;
 };
 
-/// Spreads entries over the landcell by a fixed pattern: each entry has its own patch and a random offset
-/// inside it.
-dat::Scene makeScene(dat::RecordId id, const std::vector<Sprinkle>& sprinkles) {
+/// Offsets of a scene's entries from their vertex, metres; the engine turns them by a random quarter.
+struct Spread {
+    double from = -2.0, to = 22.0;
+    double displacement = 4.5; ///< the greatest random addition
+};
+/// Entries end 14 m before the next vertex. Water reaches half a landcell and its rough border, 13.5 m, around its vertices.
+constexpr Spread kBesideWater{-9.5, 8.0, 2.0};
+
+/// Spreads entries by a fixed pattern: each entry has its own patch and a random offset inside it.
+dat::Scene makeScene(dat::RecordId id, const std::vector<Sprinkle>& sprinkles, const Spread& spread) {
     dat::Scene scene;
     scene.id = id;
     int slot = 0;
@@ -39,12 +46,13 @@ dat::Scene makeScene(dat::RecordId id, const std::vector<Sprinkle>& sprinkles) {
         for (int k = 0; k < s.count; ++k, ++slot) {
             dat::SceneObject object;
             object.object = s.object;
-            const double x = 24.0 * (slot * 0.7548776662 - std::floor(slot * 0.7548776662)) - 2.0;
-            const double y = 24.0 * (slot * 0.5698402910 - std::floor(slot * 0.5698402910)) - 2.0;
+            const double width = spread.to - spread.from;
+            const double x = width * (slot * 0.7548776662 - std::floor(slot * 0.7548776662)) + spread.from;
+            const double y = width * (slot * 0.5698402910 - std::floor(slot * 0.5698402910)) + spread.from;
             object.baseLoc.origin = Vec3f(static_cast<float>(x), static_cast<float>(y), 0.0f);
             object.frequency = static_cast<float>(s.frequency);
-            object.displaceX = 4.5f;
-            object.displaceY = 4.5f;
+            object.displaceX = static_cast<float>(spread.displacement);
+            object.displaceY = static_cast<float>(spread.displacement);
             object.minScale = static_cast<float>(s.minScale);
             object.maxScale = static_cast<float>(s.maxScale);
             object.maxRotation = 360.0f;
@@ -126,7 +134,8 @@ void addScenes(dat::Region& region, WorldRecords& records, const Plants& plants)
         dat::SceneType type;
         for (const std::vector<Sprinkle>& sprinkles : scenesOf(static_cast<Growth>(g), plants)) {
             const dat::RecordId id = 0x12000100u + static_cast<dat::RecordId>(records.scenes.size());
-            records.scenes.push_back(makeScene(id, sprinkles));
+            const bool bank = static_cast<Growth>(g) == Growth::Bank;
+            records.scenes.push_back(makeScene(id, sprinkles, bank ? kBesideWater : Spread{}));
             type.scenes.push_back(id);
         }
         region.sceneTypes.push_back(std::move(type));
@@ -155,7 +164,7 @@ std::vector<TerrainLook> terrainLooks() {
          Ground::PatchyGrass,
          4,
          {Nothing, LaneSide}},
-        {TerrainKind::RunningWater, "WaterRunning", 0xFF2C4244, Ground::Stream, 3, {Nothing}},
+        {TerrainKind::RunningWater, "WaterRunning", 0xFF2C4244, Ground::Stream, 1, {Nothing}},
         {TerrainKind::ForestFloor,
          "ForestFloor",
          0xFF37401E,

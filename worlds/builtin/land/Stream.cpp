@@ -10,8 +10,9 @@ namespace limen::worlds {
 namespace {
 
 constexpr double kSource = 30.0, kMouth = 21.5; ///< metres: height of the bed at the path's ends
-constexpr double kBank = 1.1;                   ///< least height above the bed, one vertex beside it; metres
-constexpr double kReach = 3.6;                  ///< vertices
+constexpr double kBank = 0.7;                   ///< height above the bed, one vertex beside it; metres
+constexpr double kLevel = 1.5;                  ///< vertices: up to here the ground is as low as the banks
+constexpr double kReach = 4.2;                  ///< vertices: from here on the ground is natural
 
 struct Nearest {
     double distance = 1e9, bed = 0.0;
@@ -63,9 +64,8 @@ double distanceToStream(double vx, double vy) {
 
 double cutByStream(double height, double vx, double vy) {
     const Nearest stream = nearestTo(vx, vy);
-    const double cut = stream.bed + (height - stream.bed) * smoothStep(0.0, kReach, stream.distance);
     const double bank = stream.bed + kBank * smoothStep(0.0, 1.0, stream.distance);
-    return stream.distance < 1.5 ? std::max(cut, bank) : cut;
+    return bank + (height - bank) * smoothStep(kLevel, kReach, stream.distance);
 }
 
 } // namespace limen::worlds

@@ -13,8 +13,8 @@ namespace limen::worlds {
 /// The distance to the stream's nearest vertex, in vertices.
 [[nodiscard]] double distanceToStream(double vx, double vy);
 
-/// The height (metres) of the ground with the stream's valley: a bed that never rises downstream, banks
-/// beside it, slopes up to `height`.
+/// The height (metres) of the ground with the stream's valley: a bed that never rises downstream, low banks beside it (the
+/// picture of water climbs half of them), then slopes up to `height`.
 [[nodiscard]] double cutByStream(double height, double vx, double vy);
 
 } // namespace limen::worlds

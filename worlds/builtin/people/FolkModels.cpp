@@ -8,7 +8,9 @@ namespace limen::worlds {
 
 namespace {
 
-constexpr double kShoulder = 1.42, kNeck = 1.48;
+constexpr double kNeck = 1.48;
+constexpr double kShoulderOut = 0.205,
+                 kShoulderUp = 1.365; ///< metres; inside the body, so that no pose parts the arm from it
 
 struct Clothes {
     Material coat = Material::BrownCloth, legs = Material::GreenCloth;
@@ -53,8 +55,9 @@ FaceMesh bodyMesh(const Clothes& c) {
     if (!c.gown)
         addRing(mesh, 0.74, kWaist, 0.235, 0.195, c.coat, true);
     addRing(mesh, kWaist, 1.07, 0.20, 0.20, Material::Hair, true);
-    addRing(mesh, 1.07, 1.36, 0.19, 0.235, c.coat, true);
-    addRing(mesh, 1.36, kNeck, 0.235, 0.10, c.coat, true);
+    addRing(mesh, 1.07, 1.34, 0.19, 0.235, c.coat, true);
+    addRing(mesh, 1.34, 1.42, 0.235, 0.20, c.coat, true);
+    addRing(mesh, 1.42, kNeck, 0.20, 0.10, c.coat, true);
     flatten(mesh, 0.68);
     if (c.gown)
         mesh.append(skirtMesh(c), {});
@@ -88,11 +91,23 @@ FaceMesh headMesh(const Clothes& c) {
     return mesh;
 }
 
-FaceMesh armMesh(const Clothes& c, double bend) {
-    FaceMesh mesh; // origin at the shoulder
-    const Vec3 elbow{0.0, 0.03, -0.29};
-    const Vec3 hand = elbow + Vec3(0.0, 0.24 * std::sin(bend), -0.24 * std::cos(bend));
-    mesh.strut({0, 0, -0.01}, elbow + Vec3(0, 0.01, -0.03), {1, 0, 0}, 0.105, 0.11, c.coat);
+/// The origin is the shoulder's joint. `side`: -1 left, 1 right; the arm hangs a little away from the body. `bend`: of the
+/// elbow, radians.
+FaceMesh armMesh(const Clothes& c, double side, double bend) {
+    FaceMesh mesh;
+    const Vec3 elbow{side * 0.085, 0.02, -0.28};
+    const Vec3 hand = elbow + Vec3(side * 0.01, 0.24 * std::sin(bend), -0.24 * std::cos(bend));
+    // The ball of the shoulder: round about the axis about which the arm swings.
+    for (const auto& [z, lower, upper] : {std::array{-0.055, 0.060, 0.074}, std::array{0.0, 0.074, 0.035}}) {
+        mesh.cylinder({.base = {side * 0.02, 0, z},
+                       .lower = lower,
+                       .upper = upper,
+                       .height = 0.055,
+                       .sides = 8,
+                       .side = c.coat,
+                       .cap = c.coat});
+    }
+    mesh.strut({side * 0.03, 0, -0.03}, elbow + Vec3(0, 0.01, -0.03), {1, 0, 0}, 0.105, 0.11, c.coat);
     mesh.strut(elbow + Vec3(0, 0.0, 0.01), hand, {1, 0, 0}, 0.088, 0.088, c.coat);
     const Vec3 ahead = glm::normalize(hand - elbow);
     mesh.strut(hand - ahead * 0.01, hand + ahead * 0.10, {1, 0, 0}, 0.062, 0.075, Material::Skin);
@@ -108,6 +123,22 @@ FaceMesh legMesh(const Clothes& c) {
     return mesh;
 }
 
+/// A shadow on the ground: an octagon, `half` metres to each side of the origin. It is high enough not to fight with the ground.
+FaceMesh shadowMesh(const Vec2& half) {
+    constexpr double kAbove = 0.015;
+    constexpr int kCorners = 8;
+    Face face;
+    face.material = Material::Shadow;
+    for (int k = 0; k < kCorners; ++k) {
+        const Vec2 d(std::cos(kTurn * k / kCorners), std::sin(kTurn * k / kCorners));
+        face.points.emplace_back(half.x * d.x, half.y * d.y, kAbove);
+        face.uvs.push_back(0.5 + 0.5 * d);
+    }
+    FaceMesh mesh;
+    mesh.add(std::move(face));
+    return mesh;
+}
+
 struct Bends {
     double left = 0.2, right = 0.2;
 };
@@ -116,10 +147,17 @@ std::vector<SetupPart> person(ModelWriter& writer, const Clothes& c, const Bends
     const dat::RecordId leg = writer.addMesh(legMesh(c), false);
     return {{writer.addMesh(bodyMesh(c), false), {}},
             {writer.addMesh(headMesh(c), false), {{0.0, 0.0, kNeck}, 0.0}},
-            {writer.addMesh(armMesh(c, bends.left), false), {{-0.265, 0.0, kShoulder - 0.05}, 0.0}},
-            {writer.addMesh(armMesh(c, bends.right), false), {{0.265, 0.0, kShoulder - 0.05}, 0.0}},
+            {writer.addMesh(armMesh(c, -1.0, bends.left), false), {{-kShoulderOut, 0.0, kShoulderUp}, 0.0}},
+            {writer.addMesh(armMesh(c, 1.0, bends.right), false), {{kShoulderOut, 0.0, kShoulderUp}, 0.0}},
             {leg, {{-0.105, 0.0, kHip}, 0.0}},
             {leg, {{0.105, 0.0, kHip}, 0.0}}};
+}
+
+/// Adds a person's shadow as the last part, which keeps the pose of the Setup.
+dat::RecordId addPerson(ModelWriter& writer, std::vector<SetupPart> parts, dat::RecordId shadow,
+                        dat::RecordId gaits) {
+    parts.push_back({shadow, {}});
+    return writer.addSetup(parts, {}, gaits);
 }
 
 FaceMesh lanternMesh() {
@@ -167,65 +205,77 @@ FaceMesh cartMesh() {
                        .upper = 0.15,
                        .height = 0.48,
                        .sides = 10,
-                       .side = Material::Linen,
-                       .cap = Material::Linen});
+                       .side = Material::Sacking,
+                       .cap = Material::Sacking});
     }
     mesh.box({0.05, 0.30, 0.67}, {0.50, 0.80, 1.02}, Material::OldPlanks);
     return mesh;
 }
 
 /// The arm with the lantern does not move: the emitter in `world.json` is at the lantern's fixed position.
-dat::RecordId addWatchman(ModelWriter& writer) {
+dat::RecordId addWatchman(ModelWriter& writer, dat::RecordId shadow) {
     std::vector<SetupPart> parts =
         person(writer, {.coat = Material::BlueCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.35});
     parts.push_back({writer.addMesh(lanternMesh(), false), {kLantern, 0.0}});
+    parts.push_back({shadow, {}});
     const std::vector<Role> roles{Role::Body,    Role::Head,     Role::LeftArm, Role::Held,
-                                  Role::LeftLeg, Role::RightLeg, Role::Held};
+                                  Role::LeftLeg, Role::RightLeg, Role::Held,    Role::Held};
     return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
 }
 
 /// Both hands hold the cart.
-dat::RecordId addCarter(ModelWriter& writer) {
+dat::RecordId addCarter(ModelWriter& writer, dat::RecordId shadow) {
+    constexpr double kAxle = -2.1;
     std::vector<SetupPart> parts =
         person(writer, {.coat = Material::RedCloth, .legs = Material::GreenCloth, .hat = true}, {-0.3, -0.3});
     const dat::RecordId wheel = writer.addMesh(wheelMesh(), false);
-    parts.push_back({writer.addMesh(cartMesh(), false), {{0.0, -2.1, 0.0}, 0.0}});
-    parts.push_back({wheel, {{-0.70, -2.1, kWheelRadius}, 0.0}});
-    parts.push_back({wheel, {{0.70, -2.1, kWheelRadius}, 0.0}});
-    const std::vector<Role> roles{Role::Body,     Role::Head, Role::Held,  Role::Held, Role::LeftLeg,
-                                  Role::RightLeg, Role::Held, Role::Wheel, Role::Wheel};
+    parts.push_back({writer.addMesh(cartMesh(), false), {{0.0, kAxle, 0.0}, 0.0}});
+    parts.push_back({wheel, {{-0.70, kAxle, kWheelRadius}, 0.0}});
+    parts.push_back({wheel, {{0.70, kAxle, kWheelRadius}, 0.0}});
+    parts.push_back({shadow, {}});
+    parts.push_back({writer.addMesh(shadowMesh({0.9, 1.0}), false), {{0.0, kAxle, 0.0}, 0.0}});
+    const std::vector<Role> roles{Role::Body,    Role::Head,     Role::Held, Role::Held,
+                                  Role::LeftLeg, Role::RightLeg, Role::Held, Role::Wheel,
+                                  Role::Wheel,   Role::Held,     Role::Held};
     return writer.addSetup(parts, {}, addGaits(writer, parts, roles, longStrides()));
 }
 
 } // namespace
 
 FolkModels addFolkModels(ModelWriter& writer, const Effects& effects) {
-    const std::vector<Role> bare{Role::Body,     Role::Head,    Role::LeftArm,
-                                 Role::RightArm, Role::LeftLeg, Role::RightLeg};
-    const std::vector<SetupPart> farmer =
+    const std::vector<Role> bare{Role::Body,    Role::Head,     Role::LeftArm, Role::RightArm,
+                                 Role::LeftLeg, Role::RightLeg, Role::Held};
+    const dat::RecordId shadow = writer.addMesh(shadowMesh({0.45, 0.40}), false);
+    std::vector<SetupPart> farmer =
         person(writer, {.coat = Material::GreenCloth, .legs = Material::BrownCloth, .hat = true}, {0.2, 0.3});
-    const dat::RecordId free = addGaits(writer, farmer, bare, longStrides(), effects.dust);
-    const dat::RecordId gowned = addGaits(writer, farmer, bare, shortStrides());
+    std::vector<SetupPart> shaded = farmer;
+    shaded.push_back({shadow, {}});
+    const dat::RecordId free = addGaits(writer, shaded, bare, longStrides(), effects.dust);
+    const dat::RecordId gowned = addGaits(writer, shaded, bare, shortStrides());
     FolkModels m;
-    m.innkeeper = writer.addSetup(
-        person(writer, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}), {},
-        gowned);
-    m.maid = writer.addSetup(
+    m.innkeeper = addPerson(
+        writer,
+        person(writer, {.coat = Material::BrownCloth, .legs = Material::Hair, .apron = true}, {0.9, 0.5}),
+        shadow, gowned);
+    m.maid = addPerson(
+        writer,
         person(writer, {.coat = Material::BlueCloth, .legs = Material::Hair, .gown = true, .apron = true},
                {0.6, 0.6}),
-        {}, gowned);
-    m.farmer = writer.addSetup(farmer, {}, free);
-    m.elder = writer.addSetup(
-        person(writer, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}), {},
-        gowned);
-    m.watchman = addWatchman(writer);
+        shadow, gowned);
+    m.farmer = addPerson(writer, std::move(farmer), shadow, free);
+    m.elder = addPerson(
+        writer,
+        person(writer, {.coat = Material::RedCloth, .legs = Material::Hair, .gown = true}, {1.0, 1.0}),
+        shadow, gowned);
+    m.watchman = addWatchman(writer, shadow);
     writer.setEffects(m.watchman, {.scriptTable = effects.watchmansScripts});
-    m.carter = addCarter(writer);
+    m.carter = addCarter(writer, shadow);
     writer.setEffects(m.carter, {.script = effects.cartScript});
-    m.traveller = writer.addSetup(
-        person(writer, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true},
-               {0.25, 0.25}),
-        {}, free);
+    m.traveller =
+        addPerson(writer,
+                  person(writer, {.coat = Material::BrownCloth, .legs = Material::BlueCloth, .hat = true},
+                         {0.25, 0.25}),
+                  shadow, free);
     const dat::RecordId cloaked =
         writer.addMesh(bodyMesh({.coat = Material::Rug, .legs = Material::BrownCloth}), false);
     m.cloak = addCloak(writer, {m.farmer, m.traveller}, cloaked);

@@ -141,11 +141,11 @@ std::vector<std::pair<std::string, Eye>> eastPlaces(const VillageMap& map) {
     };
     const Vec3 balcony{1.4, -0.9, inn::kBalcony + kEyeHeight};
     return {
-        {"inn.hall", inside(InnCell::Hall, {0.95, 1.0, kEyeHeight}, {-4.6, 4.3, 1.25})},
+        {"inn.hall", inside(InnCell::Hall, {1.2, 2.5, kEyeHeight}, {-4.6, 4.9, 1.25})},
         {"inn.balcony", eyeTowards(globalOf(map.inn, balcony), globalOf(map.inn, {-16.0, -10.0, 1.4}), 0)},
         {"inn.basement",
          inside(InnCell::Basement, {4.2, 9.1, inn::kBasement + kEyeHeight}, {-1.5, 6.6, -1.5})},
-        {"meetinghall", eyeTowards(globalOf(map.hall, {-5.3, hall::kMiddle - 1.9, kEyeHeight}),
+        {"meetinghall", eyeTowards(globalOf(map.hall, {-4.25, hall::kMiddle - 0.5, kEyeHeight}),
                                    globalOf(map.hall, {6.3, hall::kMiddle + 0.3, 2.3}),
                                    map.hallCells.at(static_cast<std::size_t>(HallCell::Nave)))}};
 }
