@@ -26,7 +26,7 @@ void main() {
         discard;
     }
     bool isAdditive = (material.flags & kMaterialAdditive) != 0u;
-    vec3 colour = highlighted(material.colour.rgb * texel.rgb * painted.light, instance.highlight);
+    vec3 colour = highlighted(material.colour.rgb * texel.rgb * lightHere(painted, instance), instance.highlight);
     colour = mix(colour, frame.fogColour.rgb, isAdditive ? 0.0 : fogAt(painted.at)); // fog passes additive ones by
     outColour = vec4(colour * alpha, isAdditive ? 0.0 : alpha);
 }

@@ -3,7 +3,8 @@
 // In: one vertex of the arena, model space; the DrawRecord of its draw. Out: clip position; factors of the texel; the
 // texture.
 // TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh. CUTOUT, BLENDED: the
-// limits of alpha. GATED: the members that the ownership test needs. LAMPS: with the lamps of the record. IDS: the
+// limits of alpha. GATED: the members that the ownership test needs. LAMPS: with the lamps of the record. PIXEL_LAMPS: fragments
+// add those of walls. DETAILS: the detail picture. IDS: the
 // polygon's id.
 #include "incident.glsl"
 
@@ -37,11 +38,29 @@ vec3 eyeRelativePlace() {
     return result;
 }
 
-// Factors of a surface with this colour: the light, then fog and highlight over it.
+const uint kLightKind = (1u << kRecordDetail) - 1u;
+
+#ifdef DETAILS
+// After vTexture.
+void setDetail() {
+    uint detail = inMembers.w >> kRecordDetail;
+    float tiling = frame.detailTiling[detail];
+    vDetail = uvec3(tiling > 0.0 ? textureRefAt(frame.detailTextures[detail]).place.xy : uvec2(0u), floatBitsToUint(tiling));
+}
+#endif
+
+// Factors of a surface with this colour: the light, then fog and highlight over it. PIXEL_LAMPS: without the light.
 Look lookOf(vec3 eyeRelative, vec3 albedo, float emission, float fogged) {
-    Incident incident = Incident(inAmbient.rgb, inSun.rgb, inMembers.w, inLook.z, inLook.w);
+    Incident incident = Incident(inAmbient.rgb, inSun.rgb, inMembers.w & kLightKind, inLook.z, inLook.w);
     vec3 origin = vec3(inRow0.w, inRow1.w, inRow2.w);
-    vec3 light = lightAt(incident, emission, eyeRelative, unitOrZero(turned(inNormal.xyz)), origin);
+    vec3 normal = unitOrZero(turned(inNormal.xyz));
+    vec3 light = lightAt(incident, emission, eyeRelative, normal, origin);
+#ifdef PIXEL_LAMPS
+    vLight = light;
+    vNormal = normal;
+    vWallLamps = incident.kind == kLitWalls ? uvec2(incident.firstLamp, incident.lampCount + 1u) : uvec2(0u);
+    light = vec3(1.0);
+#endif
     float fog = fogged * fogAt(eyeRelative);
     vec4 over = unpackUnorm4x8(inLook.y);
 #ifdef BLENDED
@@ -76,7 +95,14 @@ void setSurface(vec3 eyeRelative) {
     vCover = (material.flags & kMaterialAdditive) != 0u ? 0.0 : 1.0;
     fogged = vCover; // fog passes additive surfaces by
 #endif
-    setTexture(material, lookOf(eyeRelative, material.colour.rgb, material.luminosity, fogged));
+    Look look = lookOf(eyeRelative, material.colour.rgb, material.luminosity, fogged);
+    setTexture(material, look);
+#ifdef PIXEL_LAMPS
+    if (material.texture == kNoTexture) { // lit at its vertices
+        vec3 lamps = vWallLamps.y > 0u ? lampsOnWall(vWallLamps.x, vWallLamps.y - 1u, eyeRelative, vNormal) : vec3(0.0);
+        vPlus = look.plus + look.times * clamp(vLight + lamps, 0.0, 1.0);
+    }
+#endif
     vUv = inUv;
 #if defined(CUTOUT) || defined(BLENDED)
     setAlpha(material, inAmbient.a);
@@ -102,6 +128,9 @@ void main() {
 #endif
 #else
     setSurface(eyeRelative);
+#endif
+#ifdef DETAILS
+    setDetail();
 #endif
 #ifdef GATED
     vMembers = inMembers.xyz;

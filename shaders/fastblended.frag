@@ -3,6 +3,7 @@
 #include "fastgate.glsl"
 #define LOOK in
 #include "fastlook.glsl"
+#include "fastlit.glsl"
 
 layout(location = kOutputBlended) out vec4 outColour;
 
@@ -17,5 +18,5 @@ void main() {
     if (alpha < vAlpha.z || alpha >= vAlpha.w) {
         discard;
     }
-    outColour = vec4((texel.rgb * vTimes + vPlus) * alpha, alpha * vCover);
+    outColour = vec4(litColour(texel.rgb) * alpha, alpha * vCover);
 }

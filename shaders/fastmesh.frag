@@ -5,6 +5,7 @@
 #include "idcolour.glsl"
 #define LOOK in
 #include "fastlook.glsl"
+#include "fastlit.glsl"
 
 layout(location = kOutputColour) out vec4 outColour;
 #ifdef IDS
@@ -43,7 +44,7 @@ void main() {
 #ifdef FLAT
     outColour = colourOfId(vId);
 #else
-    outColour = vec4(texel.rgb * vTimes + vPlus, 1.0);
+    outColour = vec4(litColour(texel.rgb), 1.0);
 #endif
 #ifdef IDS
     outId = vId;

@@ -6,6 +6,9 @@
 #include "terrainblend.glsl"
 #define LOOK in
 #include "fastlook.glsl"
+#ifdef DETAILS
+#include "details.glsl"
+#endif
 
 layout(location = kOutputColour) out vec4 outColour;
 #ifdef IDS
@@ -20,6 +23,10 @@ void main() {
     CellUv uv = CellUv(vUv, dFdx(vUv), dFdy(vUv));
     vec3 albedo = blendedTerrain(vTexture.x, uv);
 #endif
+#endif
+#if defined(DETAILS) && !defined(FLAT)
+    vec4 grain = texelsAt(vDetail.xy, vUv * uintBitsToFloat(vDetail.z));
+    albedo = grainedGround(albedo, grain, frame.nearPlane / gl_FragCoord.z);
 #endif
 #ifdef GATED
     if (!isSeen(vMembers)) {

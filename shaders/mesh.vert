@@ -22,25 +22,15 @@ layout(location = kVaryingUv) SMOOTH out vec3 vUv; // z: see paintAround
 layout(location = kVaryingInstance) flat out uint vInstance; // also has kGated
 layout(location = kVaryingSurface) flat out uint vSurface;
 layout(location = kVaryingId) flat out uint vId;
+#ifdef PIXEL_LAMPS
+layout(location = kVaryingNormal) SMOOTH out vec3 vNormal; // world axes
+#endif
 #ifdef EXACT
 layout(location = kVaryingTriangle) flat out uint vTriangle; // its first vertex in the arena
 layout(location = kVaryingFacet) flat out vec4 vFacet; // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
 layout(location = kVaryingCorners) flat out vec3 vCorners[3]; // eye-relative, the same for all three vertices
 layout(location = kVaryingOutline) flat out vec3 vOutline[3]; // the same corners, by screenFromEye
 #endif
-
-// The member whose zone lights an instance: the root's, else the first.
-Member memberThatLights(Instance instance) {
-    Member first = memberAt(instance.firstMember);
-    uint count = memberCountOf(instance);
-    for (uint i = 0u; count > 1u && i < count; ++i) {
-        Member each = memberAt(instance.firstMember + i);
-        if (each.zone == frame.rootZone) {
-            return each;
-        }
-    }
-    return first;
-}
 
 Incident incidentOn(Instance instance) {
     LightSet set = lightSets[memberThatLights(instance).lightSet];
@@ -140,11 +130,17 @@ void paintAround(vec2 pixelsFromMiddle, Instance instance) {
     vUv = vec3(0.0);
     vLight = vec3(0.0);
     vEyeRelative = vec3(0.0);
+#ifdef PIXEL_LAMPS
+    vNormal = vec3(0.0);
+#endif
     for (uint i = 0u; i < 3u; ++i) {
         float share = i == 0u ? shares.x : i == 1u ? shares.y : shares.z;
         vUv += share * vec3(uvAt(triangle + i), 1.0);
         vLight += share * lightOf(instance, outlineCorner(i), normalAt(triangle + i));
         vEyeRelative += share * outlineCorner(i);
+#ifdef PIXEL_LAMPS
+        vNormal += share * turned(normalAt(triangle + i), instance);
+#endif
     }
 }
 
@@ -195,6 +191,9 @@ void main() {
     emission = materialAt(vSurface).luminosity;
 #endif
     vLight = lightOf(instance, eyeRelative, inNormal.xyz);
+#ifdef PIXEL_LAMPS
+    vNormal = turned(inNormal.xyz, instance);
+#endif
     vId = instance.idBase + (inPolygonSurface & 0xFFFFu);
 #ifdef EXACT
     uint corner = uint(gl_VertexID) % 3u;

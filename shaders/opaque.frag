@@ -2,6 +2,9 @@
 #define SOLID
 #include "surface.glsl"
 #include "idcolour.glsl"
+#ifdef DETAILS
+#include "details.glsl"
+#endif
 
 layout(location = kOutputColour) out vec4 outColour;
 layout(location = kOutputId) out uint outId;
@@ -20,6 +23,12 @@ void main() {
 #else
     Material material = materialAt(vSurface);
     vec3 albedo = materialColour(material, painted.uv, dx, dy).rgb;
+#ifdef DETAILS
+    uint detail = detailOf(kindOf(instance));
+    if (frame.detailTiling[detail] > 0.0) {
+        albedo = grained(albedo, grainTexels(detail, painted.uv, dx, dy));
+    }
+#endif
     outColour = opaqueColour(albedo, painted, instance);
 #endif
     outId = vId;

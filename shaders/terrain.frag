@@ -3,6 +3,9 @@
 #include "surface.glsl"
 #include "terrainblend.glsl"
 #include "idcolour.glsl"
+#ifdef DETAILS
+#include "details.glsl"
+#endif
 
 layout(location = kOutputColour) out vec4 outColour;
 layout(location = kOutputId) out uint outId;
@@ -21,6 +24,10 @@ void main() {
 #else
     CellUv uv = CellUv(vec2(painted.uv.x, 1.0 - painted.uv.y), vec2(dx.x, -dx.y), vec2(dy.x, -dy.y));
     vec3 albedo = blendedTerrain(vSurface, uv);
+#ifdef DETAILS
+    float viewDepth = (frame.clipFromEye * vec4(painted.at, 1.0)).w;
+    albedo = grainedGround(albedo, grainTexels(kDetailOfLand, uv.at, uv.dx, uv.dy), viewDepth);
+#endif
     outColour = opaqueColour(albedo, painted, instance);
 #endif
     outId = vId;

@@ -94,7 +94,8 @@ LIMEN_CONST kLitThing = 2u;
 LIMEN_CONST kLitWalls = 3u;
 LIMEN_CONST kMostLampsOfAThing = 8u; // the viewer's light among them
 
-LIMEN_CONST kKindShell = 0u; // InstanceKind::Shell: a cell's own walls
+LIMEN_CONST kKindShell = 0u;    // InstanceKind::Shell: a cell's own walls
+LIMEN_CONST kKindExterior = 2u; // InstanceKind::Exterior: a building seen from outside
 LIMEN_CONST kKindFilling =
     6u; // InstanceKind::Filling: a surface in an opening, such as a door leaf or a pane
 
@@ -132,6 +133,8 @@ LIMEN_CONST kVoidId = 0u;
 // ViewConstants.flags
 LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs are tested at mip level 0, nearest texel (for ids and depth)
 
+LIMEN_CONST kFramePixelLamps = 8u; // lamps light walls in fragments; selects program variants
+
 // DeviceConstants.flags
 LIMEN_CONST kFrameStaticIndices = 2u; // draws use the static indices, uncompacted
 LIMEN_CONST kFrameSplits = 4u;        // nearly opaque texels of kMaterialSplit surfaces are drawn as cut-outs
@@ -161,9 +164,13 @@ LIMEN_STRUCT(ViewConstants) {
     vec4 fogRange LIMEN_ZERO;      // near, far in metres
     vec4 voidColour LIMEN_ZERO;
     vec4 skyZenith LIMEN_ZERO; // rgb: plain sky overhead; the horizon is fogColour
+    // Detail pictures (details.glsl) by kDetailOf...: indices into textures, and repeats for each repeat of the uv; 0
+    // repeats: no such picture.
+    uvec4 detailTextures LIMEN_ZERO;
+    vec4 detailTiling LIMEN_ZERO;
     uint rootZone LIMEN_ZERO;
     uint visitCount LIMEN_ZERO;
-    uint flags LIMEN_ZERO; // kFrameExactCutOuts
+    uint flags LIMEN_ZERO; // kFrameExactCutOuts, kFramePixelLamps
     float nearPlane LIMEN_ZERO;
     uint staticInstances LIMEN_ZERO; // numbers from here on are the frame's instances
     uint staticMembers LIMEN_ZERO;   // numbers from here on are the frame's members
@@ -393,6 +400,13 @@ LIMEN_STRUCT(Lamp) {
     vec4 colour LIMEN_ZERO;   // rgb; w: intensity, 0 for lamps that do not shine in this frame
 };
 
+// Components of ViewConstants.detailTextures.
+LIMEN_CONST kDetailOfLand = 0u;
+LIMEN_CONST kDetailOfExteriors = 1u;
+LIMEN_CONST kDetailOfShells = 2u;
+LIMEN_CONST kNoDetail = 3u;     // has 0 repeats
+LIMEN_CONST kRecordDetail = 8u; // shift in DrawRecord.members
+
 // Everything of an instance that fast.vert reads: an instanced attribute of each draw.
 LIMEN_STRUCT(DrawRecord) {
     vec4 row0 LIMEN_ZERO; // eye-relative from model, by rows; w: the offset, rounded to float
@@ -402,8 +416,8 @@ LIMEN_STRUCT(DrawRecord) {
     vec4 ambient LIMEN_ZERO; // rgb: light from everywhere; w: opacity
     vec4 sun LIMEN_ZERO;     // rgb: light of the sun at a surface that faces it
     uvec4 look LIMEN_ZERO;   // Instance.firstMaterial, Instance.highlight, LightSet.firstLamp and lampCount
-    // Instance.firstMember, member count (0: no ownership test), Instance.idBase, LightSet.kind. An instance of one zone: the
-    // zone, kOneMember.
+    // Instance.firstMember, member count (0: no ownership test), Instance.idBase, LightSet.kind plus the component of
+    // detailTextures that covers it << kRecordDetail. An instance of one zone: the zone, kOneMember.
     uvec4 members LIMEN_ZERO;
 };
 

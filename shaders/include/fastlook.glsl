@@ -8,6 +8,15 @@ layout(location = kVaryingTexture) flat LOOK uvec2 vTexture; // TextureRef.place
 #if defined(TERRAIN) && defined(PAGES_BY_INDEX)
 layout(location = kVaryingLayers) flat LOOK uvec4 vLayers[kPackedVectors]; // PackedCell; three locations
 #endif
+#ifdef DETAILS
+layout(location = kVaryingDetail) flat LOOK uvec3 vDetail; // TextureRef.place.xy; repeats, as float bits, 0: no grain
+#endif
+#ifdef PIXEL_LAMPS
+// Then vTimes leaves out the light. Lamps of walls are added to vLight in each fragment.
+layout(location = kVaryingFastLight) LOOK vec3 vLight;
+layout(location = kVaryingFastNormal) LOOK vec3 vNormal;
+layout(location = kVaryingWallLamps) flat LOOK uvec2 vWallLamps; // LightSet.firstLamp, lampCount; 0 for other objects
+#endif
 #if defined(CUTOUT) || defined(BLENDED)
 layout(location = kVaryingAlpha) flat LOOK vec4 vAlpha;
 #endif

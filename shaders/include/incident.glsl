@@ -7,6 +7,11 @@ const float kWallReach = 1.3;
 const float kThingReach = 1.5;
 const float kViewerFalloff = 10.0; // metres
 const float kMovingRadius = 1.0;   // metres: of every moving object (src/world/assemble/Lights.cpp)
+#ifdef PIXEL_LAMPS
+const bool kLightsWalls = false; // at vertices
+#else
+const bool kLightsWalls = true;
+#endif
 const float kAtLamp = 1.0e-4;      // metres: nearer to a lamp its direction is undefined
 
 // The light of an instance, before lamps.
@@ -26,6 +31,21 @@ vec3 unitOrZero(vec3 v) {
 vec3 cutToBytes(vec3 colour) {
     return floor(clamp(colour, 0.0, 1.0) * 255.0 + 1.0e-3) / 255.0; // rounding must not take a whole step
 }
+
+#ifndef FAST
+// The member whose zone lights an instance: the root's, else the first.
+Member memberThatLights(Instance instance) {
+    Member first = memberAt(instance.firstMember);
+    uint count = memberCountOf(instance);
+    for (uint i = 0u; count > 1u && i < count; ++i) {
+        Member each = memberAt(instance.firstMember + i);
+        if (each.zone == frame.rootZone) {
+            return each;
+        }
+    }
+    return first;
+}
+#endif
 
 Lamp lampAt(uint number) {
     uint first = device.firstLamp + lampRefs[number] * kLampTexels;
@@ -70,17 +90,27 @@ vec3 lampLight(Incident light, vec3 at, vec3 normal, vec3 origin) {
     return sum;
 }
 
+vec3 ofViewer(vec3 at, vec3 normal) {
+    return onThing(frame.viewerLight.xyz - at, vec3(frame.viewerLight.w), kViewerFalloff, normal);
+}
+
+// Light of lamps and of the viewer on the wall of a cell.
+vec3 lampsOnWall(uint firstLamp, uint lampCount, vec3 at, vec3 normal) {
+    return bakedLight(Incident(vec3(0.0), vec3(0.0), kLitWalls, firstLamp, lampCount), at, normal) + ofViewer(at, normal);
+}
+
 // Light of a vertex with a normal of unit length or 0. `emission`: its material's luminosity.
+// PIXEL_LAMPS: without lampsOnWall, which fragments add.
 vec3 lightAt(Incident light, float emission, vec3 at, vec3 normal, vec3 origin) {
     vec3 sum = vec3(emission) + light.ambient + light.sun * max(0.0, dot(normal, frame.sunDirection.xyz));
 #if !defined(FAST) || defined(LAMPS)
     Incident walls = light;
-    walls.lampCount = light.kind == kLitWalls ? light.lampCount : 0u; // loops without turns rather than branches
+    walls.lampCount = light.kind == kLitWalls && kLightsWalls ? light.lampCount : 0u; // loops without turns rather than branches
     Incident thing = light;
     thing.lampCount = light.kind == kLitWalls ? 0u : light.lampCount;
     sum += bakedLight(walls, at, normal) + lampLight(thing, at, normal, origin);
-    if (light.kind != kLitOutdoors) {
-        sum += onThing(frame.viewerLight.xyz - at, vec3(frame.viewerLight.w), kViewerFalloff, normal);
+    if (light.kind != kLitOutdoors && (light.kind != kLitWalls || kLightsWalls)) {
+        sum += ofViewer(at, normal);
     }
 #endif
 #ifdef TERRAIN

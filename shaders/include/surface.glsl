@@ -9,6 +9,9 @@ layout(location = kVaryingUv) SMOOTH in vec3 vUv; // z: see paintedHere
 layout(location = kVaryingInstance) flat in uint vInstance; // also has kGated
 layout(location = kVaryingSurface) flat in uint vSurface;
 layout(location = kVaryingId) flat in uint vId;
+#ifdef PIXEL_LAMPS
+layout(location = kVaryingNormal) SMOOTH in vec3 vNormal;
+#endif
 #ifdef EXACT
 layout(location = kVaryingTriangle) flat in uint vTriangle;
 layout(location = kVaryingFacet) flat in vec4 vFacet;
@@ -40,6 +43,18 @@ Instance drawnInstance() {
     return instanceAt(vInstance & ~kGated);
 }
 
+// Light of the fragment. PIXEL_LAMPS: with the lamps of walls.
+vec3 lightHere(Painted painted, Instance instance) {
+#ifdef PIXEL_LAMPS
+    LightSet set = lightSets[memberThatLights(instance).lightSet];
+    if (set.kind == kLitWalls) {
+        vec3 normal = unitOrZero(vUv.z < 0.0 ? -vNormal : vNormal); // divided by vUv.z, it keeps its direction
+        return clamp(painted.light + lampsOnWall(set.firstLamp, set.lampCount, painted.at, normal), 0.0, 1.0);
+    }
+#endif
+    return painted.light;
+}
+
 // Whether the fragment is seen; the caller discards others.
 bool isKept(Instance instance) {
     SurfacePoint point;
@@ -65,6 +80,6 @@ vec4 materialColour(Material material, vec2 uv, vec2 dx, vec2 dy) {
 
 // Lit, fogged and highlighted colour of an opaque surface.
 vec4 opaqueColour(vec3 albedo, Painted painted, Instance instance) {
-    vec3 colour = mix(albedo * painted.light, frame.fogColour.rgb, fogAt(painted.at));
+    vec3 colour = mix(albedo * lightHere(painted, instance), frame.fogColour.rgb, fogAt(painted.at));
     return vec4(highlighted(colour, instance.highlight), 1.0);
 }

@@ -9,6 +9,7 @@ const uint kVaryingTriangle = 6u;
 const uint kVaryingFacet = 7u;
 const uint kVaryingCorners = 8u;  // an array: three locations
 const uint kVaryingOutline = 11u; // an array: three locations
+const uint kVaryingNormal = 14u;
 
 const uint kVaryingTimes = 0u; // fast.vert
 const uint kVaryingPlus = 1u;
@@ -20,6 +21,10 @@ const uint kVaryingMembers = 6u;
 const uint kVaryingFastId = 7u;
 const uint kVaryingPicture = 8u;
 const uint kVaryingLayers = 9u; // an array: three locations
+const uint kVaryingDetail = 12u;
+const uint kVaryingFastLight = 9u; // of meshes, which have no layers
+const uint kVaryingFastNormal = 10u;
+const uint kVaryingWallLamps = 11u;
 
 const uint kVaryingVisit = 0u; // ownership.vert
 const uint kVaryingOpening = 1u;

@@ -11,15 +11,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
 Json viewJson(const View& view) {
-    return {{"kind", nameOf(view.kind)}, {"eye", {view.eye.x, view.eye.y, view.eye.z}},
-            {"yaw", view.yaw},           {"pitch", view.pitch},
-            {"fov", view.fov},           {"size", {view.width, view.height}},
-            {"root", view.root},         {"about", view.about},
-            {"seconds", view.seconds},   {"doors", view.doors ? Json(*view.doors) : Json(nullptr)},
-            {"day", view.dayGroup},      {"rain", view.rain}};
+    return {{"kind", nameOf(view.kind)},
+            {"eye", {view.eye.x, view.eye.y, view.eye.z}},
+            {"yaw", view.yaw},
+            {"pitch", view.pitch},
+            {"fov", view.fov},
+            {"size", {view.width, view.height}},
+            {"root", view.root},
+            {"about", view.about},
+            {"seconds", view.seconds},
+            {"doors", view.doors ? Json(*view.doors) : Json(nullptr)},
+            {"day", view.dayGroup},
+            {"rain", view.rain},
+            {"look", world::nameOf(view.look)}};
 }
 
 View viewOf(const Json& json) {
@@ -39,6 +46,7 @@ View viewOf(const Json& json) {
         view.doors = doors.get<double>();
     view.dayGroup = json.at("day").get<std::uint32_t>();
     view.rain = json.at("rain").get<bool>();
+    view.look = world::lookNamed(json.at("look").get<std::string>()).value_or(world::Look::Retail);
     return view;
 }
 

@@ -166,6 +166,7 @@ std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, cons
         views[i].doors = request.doors;
         views[i].dayGroup = request.dayGroup;
         views[i].rain = request.rain;
+        views[i].look = request.look;
     }
     views.insert(views.end(), task.given.begin(), task.given.end());
     return views;

@@ -20,6 +20,7 @@ struct RunRequest {
     std::optional<double> doors; ///< openness of all doors; none: that of the world file
     std::uint32_t dayGroup = 0;
     bool rain = false;
+    world::Look look = world::Look::Retail;
     double longest = 600.0; ///< views are taken at times from 0 to this, seconds
     unsigned threads = 2;   ///< for tracing
 };

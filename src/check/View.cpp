@@ -56,7 +56,7 @@ std::string shotOptions(const View& view) {
            (view.time != 0.5 ? fmt::format(" --time={}", view.time) : "") +
            (view.seconds != 0.0 ? fmt::format(" --seconds={}", view.seconds) : "") + doorOptions(view) +
            fmt::format(" --day={}", view.dayGroup) + (view.rain ? " --weather=rain" : "") +
-           playerOptions(view);
+           (view.look == world::Look::Enhanced ? " --look=enhanced" : "") + playerOptions(view);
 }
 
 } // namespace limen::check

@@ -2,6 +2,7 @@
 
 #include "dat/Ids.h"
 #include "geometry/Vec.h"
+#include "world/Look.h"
 
 #include <array>
 #include <cstdint>
@@ -47,6 +48,7 @@ struct View {
     std::vector<DoorState> eachDoor; ///< doors that differ from the world file; used without `doors`
     std::uint32_t dayGroup = 0;      ///< of the Region
     bool rain = false;
+    world::Look look = world::Look::Retail;
     std::optional<Vec3> player; ///< the player's position, global; none: the eye
     /// The player's body, if it is drawn.
     struct Body {

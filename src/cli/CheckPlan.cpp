@@ -108,6 +108,10 @@ Result<check::RunRequest> planCheck(const CheckOptions& options,
     if (!weather)
         return tl::unexpected(weather.error());
     request.rain = *weather == engine::Weather::Rain;
+    const Result<engine::Look> look = parseLook("--look", options.look);
+    if (!look)
+        return tl::unexpected(look.error());
+    request.look = *look;
     const Result<dat::Region> region = source->archive.load<dat::Region>(dat::kRegionId);
     const Result<std::uint32_t> day =
         region ? engine::dayGroupOf(region->sky, region->gameTime, {options.day, {}})

@@ -15,7 +15,7 @@ namespace limen::cli {
 struct CheckOptions {
     engine::SessionOptions session;
     std::string kinds, size, block, directory, resume, walk, doors = "rest", day, weather = "clear",
-                                                             format = "png", report, command;
+                                                             look = "retail", format = "png", report, command;
     std::size_t views = 1000;
     std::uint64_t seed = 1;
     bool apart = false, json = false;

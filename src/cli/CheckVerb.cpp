@@ -44,9 +44,9 @@ std::string worldOptions(const CheckOptions& options, const engine::WorldSource&
 /// All settings that affect the views and the check, as text. A run resumes only with equal settings.
 std::string nameOfRun(const CheckOptions& options, const std::string& world) {
     return fmt::format("views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' day '{}' weather '{}' "
-                       "world '{}' samples {}{}",
+                       "look '{}' world '{}' samples {}{}",
                        options.views, options.kinds, options.seed, options.size, options.block, options.doors,
-                       options.day, options.weather, world, options.session.samples,
+                       options.day, options.weather, options.look, world, options.session.samples,
                        options.walk.empty() ? "" : " walk '" + options.walk + "'");
 }
 
@@ -245,11 +245,15 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("NUMBER|NAME");
     verb->add_option("--weather", options->weather, "set the weather: clear or rain (clear)")
         ->type_name("clear|rain");
+    verb->add_option("--look", options->look,
+                     "draw as the original did, or with light per pixel and smooth animations (retail)")
+        ->type_name("retail|enhanced");
     CLI::Option* walk =
         verb->add_option("--walk", options->walk,
                          "check every frame of a walk recorded with limen view --record or limen walk (none)")
             ->type_name("FILE");
-    for (const char* other : {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather"})
+    for (const char* other :
+         {"--views", "--kinds", "--seed", "--block", "--doors", "--day", "--weather", "--look"})
         walk->excludes(other);
     verb->add_flag("--apart", options->apart, "give every cell its own zone, as --zones cells does");
     verb->add_option(

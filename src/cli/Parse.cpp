@@ -122,6 +122,12 @@ Result<engine::RootChoice> parseRoot(std::string_view option, std::string_view t
     return engine::RootChoice{engine::RootChoice::Rule::Cell, cell};
 }
 
+Result<engine::Look> parseLook(std::string_view option, std::string_view text) {
+    if (const std::optional<engine::Look> look = world::lookNamed(trimmed(text)))
+        return *look;
+    return bad(option, text, "retail or enhanced");
+}
+
 Result<engine::Weather> parseWeather(std::string_view option, std::string_view text) {
     if (trimmed(text) == "clear")
         return engine::Weather::Clear;

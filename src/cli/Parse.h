@@ -36,6 +36,7 @@ namespace limen::cli {
 [[nodiscard]] Result<engine::RootChoice> parseRoot(std::string_view option, std::string_view text);
 
 /// "clear" or "rain".
+[[nodiscard]] Result<engine::Look> parseLook(std::string_view option, std::string_view text);
 [[nodiscard]] Result<engine::Weather> parseWeather(std::string_view option, std::string_view text);
 
 /// "116-3-24" or "Seedsow 24, 116".

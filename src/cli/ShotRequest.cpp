@@ -110,6 +110,8 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
         "choose a day group of the data, with its sky and weather, e.g. Snow (that of the date)");
     add("--date", a.date, "DATE", "set the date, e.g. 116-3-24 or 'Seedsow 24, 116' (10-1-2)");
     add("--weather", a.weather, "clear|rain", "set the weather (clear)");
+    add("--look", a.look, "retail|enhanced",
+        "draw as the original did, or with light per pixel and smooth animations (retail)");
     add("--seconds", a.seconds, "S", "set the world's time in seconds, which moves villagers and smoke (0)");
     add("--doors", a.doors, "rest|closed|half|open|0..1",
         "set the openness of all doors (rest: each as in the data)");
@@ -217,6 +219,8 @@ Result<engine::ViewRequest> checkView(const ViewArguments& a) {
     if (Result<void> r = take(a.date, "--date", parseDate, view.scene.day.date); !r)
         return tl::unexpected(r.error());
     if (Result<void> r = take(a.weather, "--weather", parseWeather, view.scene.weather); !r)
+        return tl::unexpected(r.error());
+    if (Result<void> r = take(a.look, "--look", parseLook, view.scene.look); !r)
         return tl::unexpected(r.error());
     if (Result<void> r = take(a.seconds, "--seconds", between(-1e9, 1e9), view.scene.seconds); !r)
         return tl::unexpected(r.error());

@@ -17,7 +17,7 @@ namespace limen::cli {
 /// The options of one view as typed; empty: not given. They are used on the command line of `shot`, in each
 /// line of its views file and in each line of a path file.
 struct ViewArguments {
-    std::string eye, at, yaw, pitch, fov, size, root, player, time, day, date, weather, seconds, doors;
+    std::string eye, at, yaw, pitch, fov, size, root, player, time, day, date, weather, look, seconds, doors;
     std::string body, bodyYaw, bodyRoot, bodyOpacity, bodySpeed, bodyMetres;
     std::vector<std::string> eachDoor;
 };

@@ -170,6 +170,7 @@ Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options
     viewer::ApplicationOptions application;
     application.session = options.session;
     application.isQualityFixed = options.isQualityGiven;
+    application.isLookFixed = options.isScript() || !options.view.look.empty();
     application.isFovFixed = options.isScript() || !options.view.fov.empty();
     application.flies = options.fly;
     application.isChased = options.chase;
@@ -195,6 +196,8 @@ Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options
             view->size = {settings.width, settings.height};
         if (!application.isFovFixed)
             view->fov = settings.fieldOfView;
+        if (!application.isLookFixed)
+            view->scene.look = settings.look;
     }
     application.view = *view;
     if (options.hasViewpoint())

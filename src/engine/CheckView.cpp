@@ -41,6 +41,7 @@ FrameRequest requestOf(const check::View& view, const world::World& world, world
     request.scene.eachDoor = eachDoor(view.eachDoor, world);
     request.scene.dayGroup = view.dayGroup;
     request.scene.weather = view.rain ? Weather::Rain : Weather::Clear;
+    request.scene.look = view.look;
     return request;
 }
 
@@ -72,6 +73,7 @@ check::View viewOf(const FrameRequest& request, const world::World& world) {
             view.eachDoor.push_back({world.doors[i].name, request.scene.eachDoor[i]});
     view.dayGroup = request.scene.dayGroup;
     view.rain = request.scene.weather == Weather::Rain;
+    view.look = request.scene.look;
     return view;
 }
 

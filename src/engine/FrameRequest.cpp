@@ -92,6 +92,7 @@ Result<SceneState> sceneState(const world::World& world, const world::WorldFile&
         return tl::unexpected(day.error());
     scene.dayGroup = *day;
     scene.weather = request.weather;
+    scene.look = request.look;
     scene.seconds = request.seconds;
     scene.doors = request.doors;
     if (!request.eachDoor.empty()) {
@@ -141,6 +142,8 @@ motion::DynamicStateInput dynamicsInputOf(const world::World& world, const Frame
     input.up = view.up;
     input.forward = view.forward;
     input.player = request.scene.body;
+    input.between = request.scene.look == Look::Retail ? motion::BetweenFrames::Held
+                                                       : motion::BetweenFrames::Interpolated;
     const bool isOutside = playerSpace(world, request) == world::kOutside;
     input.rain = isOutside && request.scene.weather == Weather::Rain;
     if (isOutside && !world.sky.weather.empty())
@@ -191,6 +194,7 @@ FrameInputs frameInputs(const world::World& world, const FrameRequest& request, 
     view.timeOfDay = request.scene.time;
     view.seconds = request.scene.seconds;
     view.weather = request.scene.weather;
+    view.look = request.scene.look;
     view.viewerLight = viewerLight(request, playerSpace(world, request));
     view.highlights = outputs.highlights;
     view.exactCutOuts = outputs.exactCutOuts;

@@ -38,6 +38,7 @@ struct SceneRequest {
     double time = 0.5;
     DayChoice day;
     Weather weather = Weather::Clear;
+    Look look = Look::Retail;
     double seconds = 0.0;
     std::optional<double> doors;
     std::vector<check::View::DoorState> eachDoor; ///< by name; other doors keep their initial openness

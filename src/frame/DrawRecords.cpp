@@ -11,6 +11,14 @@ namespace {
 
 constexpr auto kTerrainKind = static_cast<std::uint32_t>(world::InstanceKind::Terrain);
 
+/// As details.glsl; the ground has programs of its own.
+std::uint32_t detailOf(std::uint32_t kind) {
+    return kind == gpu::kKindShell      ? gpu::kDetailOfShells
+           : kind == gpu::kKindExterior ? gpu::kDetailOfExteriors
+           : kind == kTerrainKind       ? gpu::kDetailOfLand
+                                        : gpu::kNoDetail;
+}
+
 } // namespace
 
 RecordTables tablesOf(const SceneUpload& scene) {
@@ -100,7 +108,8 @@ void DrawRecords::light(std::uint32_t number, gpu::DrawRecord& record) const {
     const std::uint32_t count = gpu::memberCountOf(instance);
     const bool isOne = count == 1;
     record.members = {isOne ? member(instance.firstMember).zone : instance.firstMember,
-                      isOne ? gpu::kOneMember : count, instance.idBase, set.kind};
+                      isOne ? gpu::kOneMember : count, instance.idBase,
+                      set.kind | detailOf(gpu::kindOf(instance)) << gpu::kRecordDetail};
 }
 
 } // namespace limen::frame

@@ -2,6 +2,7 @@
 
 #include "geometry/Tolerances.h"
 #include "visibility/View.h"
+#include "world/Look.h"
 
 #include <cstdint>
 #include <optional>
@@ -46,6 +47,8 @@ struct FrameView {
     bool fewTests = false;
     /// The plain sky is drawn in every frame with several visits, because its draw fills voids (skyplain.frag).
     bool fillsVoids = false;
+    world::Look look = world::Look::Retail;
+    bool details = true;       ///< draw the detail pictures that the look has
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth
     /// Keep them few: for static instances the device searches the list for every draw. Read while the frame
     /// is planned.

@@ -66,11 +66,12 @@ static_assert(offsetof(ViewConstants, clipFromEye) == 0 && offsetof(ViewConstant
               offsetof(ViewConstants, sealedAmbient) == 176 && offsetof(ViewConstants, viewerLight) == 192 &&
               offsetof(ViewConstants, fogColour) == 208 && offsetof(ViewConstants, fogRange) == 224 &&
               offsetof(ViewConstants, voidColour) == 240 && offsetof(ViewConstants, skyZenith) == 256 &&
-              offsetof(ViewConstants, rootZone) == 272 && offsetof(ViewConstants, visitCount) == 276 &&
-              offsetof(ViewConstants, flags) == 280 && offsetof(ViewConstants, nearPlane) == 284 &&
-              offsetof(ViewConstants, staticInstances) == 288 &&
-              offsetof(ViewConstants, staticMembers) == 292 && offsetof(ViewConstants, staticPieces) == 296 &&
-              offsetof(ViewConstants, replacementCount) == 300 && sizeof(ViewConstants) == 304);
+              offsetof(ViewConstants, detailTextures) == 272 &&
+              offsetof(ViewConstants, detailTiling) == 288 && offsetof(ViewConstants, rootZone) == 304 &&
+              offsetof(ViewConstants, visitCount) == 308 && offsetof(ViewConstants, flags) == 312 &&
+              offsetof(ViewConstants, nearPlane) == 316 && offsetof(ViewConstants, staticInstances) == 320 &&
+              offsetof(ViewConstants, staticMembers) == 324 && offsetof(ViewConstants, staticPieces) == 328 &&
+              offsetof(ViewConstants, replacementCount) == 332 && sizeof(ViewConstants) == 336);
 static_assert(offsetof(DeviceConstants, viewport) == 0 && offsetof(DeviceConstants, rayCorner) == 16 &&
               offsetof(DeviceConstants, rayRight) == 32 && offsetof(DeviceConstants, rayUp) == 48 &&
               offsetof(DeviceConstants, flags) == 64 && offsetof(DeviceConstants, pixel) == 68 &&
@@ -85,7 +86,7 @@ static_assert(offsetof(DeviceConstants, viewport) == 0 && offsetof(DeviceConstan
               offsetof(DeviceConstants, firstOccludee) == 120 &&
               offsetof(DeviceConstants, windowOrigin) == 124 && offsetof(DeviceConstants, firstLamp) == 128 &&
               sizeof(DeviceConstants) == 144);
-static_assert(offsetof(FrameConstants, view) == 0 && offsetof(FrameConstants, device) == 304 &&
-              sizeof(FrameConstants) == 448);
+static_assert(offsetof(FrameConstants, view) == 0 && offsetof(FrameConstants, device) == 336 &&
+              sizeof(FrameConstants) == 480);
 
 } // namespace limen::frame::gpu

@@ -11,6 +11,7 @@
 namespace limen::frame {
 
 static_assert(static_cast<std::uint32_t>(world::InstanceKind::Shell) == gpu::kKindShell &&
+              static_cast<std::uint32_t>(world::InstanceKind::Exterior) == gpu::kKindExterior &&
               static_cast<std::uint32_t>(world::InstanceKind::Filling) == gpu::kKindFilling);
 static_assert(world::kRangeSteps == static_cast<std::int32_t>(gpu::kRangeSteps) &&
               world::kMostRangeSteps == static_cast<std::int32_t>(gpu::kMostRangeSteps) &&

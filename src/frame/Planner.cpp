@@ -63,6 +63,19 @@ constexpr float kSealedAmbient = 0.2f;
 constexpr float kViewerIntensity = 2.25f;
 constexpr std::size_t kMostLamps = 40; ///< that shine in a frame
 
+void placeDetails(const world::Details& details, const FrameView& frame, gpu::ViewConstants& c) {
+    if (!frame.details)
+        return;
+    const auto place = [&c](const world::DetailPicture& picture, std::uint32_t detail) {
+        c.detailTextures[static_cast<int>(detail)] = picture.texture;
+        c.detailTiling[static_cast<int>(detail)] = picture.tiling;
+    };
+    place(details.exteriors, gpu::kDetailOfExteriors);
+    place(details.shells, gpu::kDetailOfShells);
+    if (frame.look == world::Look::Enhanced)
+        place(details.land, gpu::kDetailOfLand);
+}
+
 /// The plain sky's colour straight up, as a factor of the horizon's: bluer and darker.
 constexpr float kZenith[3] = {0.42f, 0.58f, 0.86f};
 
@@ -146,7 +159,9 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.voidColour = {frame.voidColour, 1.0f};
     c.rootZone = set.visits[0].zone;
     c.visitCount = static_cast<std::uint32_t>(set.visits.size());
-    c.flags = frame.exactCutOuts ? gpu::kFrameExactCutOuts : 0;
+    c.flags = (frame.exactCutOuts ? gpu::kFrameExactCutOuts : 0) |
+              (frame.look == world::Look::Enhanced ? gpu::kFramePixelLamps : 0);
+    placeDetails(world_.details, frame, c);
     c.nearPlane = static_cast<float>(frame.nearPlane);
     c.staticInstances = static_cast<std::uint32_t>(scene_.records().size());
     c.staticMembers = static_cast<std::uint32_t>(scene_.members().size());

@@ -8,6 +8,7 @@ namespace limen::frame {
 
 namespace {
 
+static_assert(world::kNone == gpu::kNoTexture);
 static_assert(static_cast<std::uint32_t>(world::LightSet::Kind::Outdoors) == gpu::kLitOutdoors &&
               static_cast<std::uint32_t>(world::LightSet::Kind::Moving) == gpu::kLitMoving &&
               static_cast<std::uint32_t>(world::LightSet::Kind::Thing) == gpu::kLitThing &&
@@ -75,6 +76,9 @@ std::vector<std::uint8_t> clampedTextures(const world::World& world) {
         for (const world::TerrainCell::Layer& layer : cell.roads)
             mark(layer.alpha, true);
     }
+    for (const std::uint32_t detail :
+         {world.details.land.texture, world.details.exteriors.texture, world.details.shells.texture})
+        mark(detail, false);
     for (const world::Material& m : world.materials)
         mark(m.texture, (m.flags & world::Material::kClamp) != 0);
     for (std::uint8_t& c : clamped)
@@ -114,6 +118,8 @@ SceneUpload buildScene(const StaticScene& scene) {
         upload.lightSets.push_back(
             {static_cast<std::uint32_t>(set.kind), set.firstLamp, set.lampCount, set.sealed ? 1u : 0u});
     upload.lampRefs = world.lampRefs;
+    upload.details = {world.details.land.texture, world.details.exteriors.texture,
+                      world.details.shells.texture};
     upload.lamps = static_cast<std::uint32_t>(world.lights.size());
     return upload;
 }

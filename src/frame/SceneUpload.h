@@ -15,6 +15,11 @@ struct TextureUpload {
     std::uint64_t contentKey = 0; ///< textures with equal keys have equal content; 0: unknown
 };
 
+/// Detail pictures of a scene: indices of textures, kNoTexture for none.
+struct SceneDetails {
+    std::uint32_t land = gpu::kNoTexture, exteriors = gpu::kNoTexture, shells = gpu::kNoTexture;
+};
+
 /// All static content in the GPU's layout, written once when it becomes resident. `textures` are views into
 /// the world that the upload was made from and must not outlive it; the other arrays are owned.
 struct SceneUpload {
@@ -31,6 +36,7 @@ struct SceneUpload {
     std::vector<std::uint32_t> lampRefs; ///< indices into FramePlan::lamps
     std::uint32_t lamps = 0;             ///< size of FramePlan::lamps
     std::vector<TextureUpload> textures;
+    SceneDetails details;
 };
 
 } // namespace limen::frame

@@ -14,6 +14,8 @@ ProgramVariant variantOf(const frame::Batch& batch, const FrameKind& frame) {
     return {.gated = batch.gated,
             .flat = blended ? frame.options.wantLayers : flat,
             .multisampled = frame.multisampled,
+            .details = batch.program == frame::Program::Terrain ? frame.grainedLand : frame.grainedMeshes,
+            .pixelLamps = frame.pixelLamps,
             .ids = frame.options.wantIds};
 }
 

@@ -15,7 +15,9 @@ struct FrameKind {
     bool exactOutlines =
         true; ///< triangles are culled one by one: no culling of back faces by the rasteriser
     bool multisampled = false;
-    bool several = false; ///< visits
+    bool several = false;                            ///< visits
+    bool grainedMeshes = false, grainedLand = false; ///< detail pictures
+    bool pixelLamps = false;                         ///< lamps light walls in fragments
     RenderOptions options{};
 };
 

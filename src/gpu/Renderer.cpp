@@ -209,8 +209,15 @@ void Renderer::releaseSome() {
 
 FrameKind Renderer::kindOf(const frame::FramePlan& plan, const RenderTarget& target,
                            const RenderOptions& options) const {
-    return {options_.drawing, options_.exactOutlines, target.options().samples > 0, plan.visits.size() > 1,
-            options};
+    const layout::vec4& tiling = plan.constants.detailTiling;
+    return {.drawing = options_.drawing,
+            .exactOutlines = options_.exactOutlines,
+            .multisampled = target.options().samples > 0,
+            .several = plan.visits.size() > 1,
+            .grainedMeshes = tiling[layout::kDetailOfExteriors] > 0 || tiling[layout::kDetailOfShells] > 0,
+            .grainedLand = tiling[layout::kDetailOfLand] > 0,
+            .pixelLamps = (plan.constants.flags & layout::kFramePixelLamps) != 0,
+            .options = options};
 }
 
 Result<void> Renderer::preparePrograms(const frame::FramePlan& plan, const FrameKind& frame) {

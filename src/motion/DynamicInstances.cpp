@@ -13,7 +13,8 @@ using world::kNone;
 
 DynamicInstances::DynamicInstances(const world::World& world) : world_(world), membership_(world) {}
 
-void DynamicInstances::begin(const Vec3& eye, world::DynamicState& out) {
+void DynamicInstances::begin(const Vec3& eye, BetweenFrames between, world::DynamicState& out) {
+    between_ = between;
     LIMEN_ASSERT(out.closed.empty() || out.closed.size() == world_.portals.size(),
                  "portals are shut by portal, or none is");
     out.instances.clear();
@@ -43,7 +44,7 @@ std::size_t DynamicInstances::addBody(const world::MovingBody& body, const BodyP
                  "a body's parts are moving parts of the world");
     LIMEN_ASSERT(placedIn < world_.spaces.size(), "a body is placed in a space of the world");
     const std::size_t first = count();
-    const PartPoses poses(world_, body, point);
+    const PartPoses poses(world_, body, point, between_);
     const ObjectView view(eye_, pose.origin, placedIn == world::kOutside);
     for (std::uint32_t p = 0; p < body.partCount; ++p) {
         world::Instance part = world_.movingParts[body.firstPart + p];

@@ -29,7 +29,7 @@ public:
 
     /// Begins a state: empties its instances and members. Every later call writes to `out`, whose `closed`
     /// must already be as it will be. `eye`: global; it selects levels of detail, and billboards turn to it.
-    void begin(const Vec3& eye, world::DynamicState& out);
+    void begin(const Vec3& eye, BetweenFrames between, world::DynamicState& out);
 
     [[nodiscard]] const world::World& world() const { return world_; }
     [[nodiscard]] world::DynamicState& state() const { return *out_; }
@@ -81,6 +81,7 @@ private:
     world::Membership membership_;
     std::vector<world::SpaceIndex> spaces_;
     Vec3 eye_{0.0};
+    BetweenFrames between_ = BetweenFrames::Interpolated;
     world::DynamicState* out_ = nullptr;
     std::uint32_t spriteIds_ = 0;
 };

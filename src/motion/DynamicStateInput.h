@@ -1,6 +1,7 @@
 #pragma once
 
 #include "geometry/Vec.h"
+#include "motion/PartPoses.h"
 #include "world/Index.h"
 #include "world/Sky.h"
 
@@ -25,8 +26,9 @@ struct DynamicStateInput {
     double seconds = 0.0; ///< since the world began; routes, cycles and particles follow it
     /// Openness of each door, 0..1, by World::doors; doors beyond the end have the world file's openness.
     std::span<const double> doors;
-    std::optional<double> allDoors; ///< one openness for all doors; overrides `doors`
-    bool rain = false;              ///< draw rain; only while the player is outside (docs/ray-rule.md)
+    std::optional<double> allDoors;                      ///< one openness for all doors; overrides `doors`
+    BetweenFrames between = BetweenFrames::Interpolated; ///< of every animation
+    bool rain = false; ///< draw rain; only while the player is outside (docs/ray-rule.md)
     /// Draw the Region's weather of this hour; only while the player is outside.
     std::optional<world::SkyHour> weather;
     std::optional<PlayerBody> player;                   ///< none: no body is drawn

@@ -70,7 +70,8 @@ void addStarted(const DynamicStateInput& input, const world::ParticleSource& sou
     const std::uint32_t block = instances.blockFor(now.origin);
     eachLiving(style, source, start, input.seconds,
                [&](const ParticleKey& key, double born, double age, double life) {
-                   const CarrierFrame then = isCarried(source) ? carrierOf(world, source, born) : now;
+                   const CarrierFrame then =
+                       isCarried(source) ? carrierOf(world, source, born, input.between) : now;
                    const ParticleState state =
                        particleAt(style, key, age, life, then.orientation, source.offset);
                    addParticle(input, {source, style.isParentLocal ? now : then, block}, state, instances);
@@ -136,7 +137,7 @@ void addParticles(const DynamicStateInput& input, DynamicInstances& instances) {
         const std::optional<world::ParticleSource> source = inWorldTime(world, asRead);
         if (!source)
             continue;
-        const CarrierFrame now = carrierOf(world, *source, input.seconds);
+        const CarrierFrame now = carrierOf(world, *source, input.seconds, input.between);
         if (!isInReach(world, *source, now.origin, input.eye))
             continue;
         const SourceStarts starts = startsAt(world.particleStyles[source->style], *source, input.seconds);

@@ -90,7 +90,7 @@ CyclePoint cyclePoint(const World& world, const MovingBody& body, Gait gait, dou
     return {cycleOf(body, Gait::Stand), seconds};
 }
 
-PartPoses::PartPoses(const World& world, const MovingBody& body, const CyclePoint& at)
+PartPoses::PartPoses(const World& world, const MovingBody& body, const CyclePoint& at, BetweenFrames between)
     : world_(world), body_(body) {
     if (at.cycle == kNone || body.firstPosed == kNone)
         return;
@@ -99,7 +99,7 @@ PartPoses::PartPoses(const World& world, const MovingBody& body, const CyclePoin
     const Played played = playedAt(world, cycle, at.seconds);
     stretch_ = &world.stretches[cycle.firstStretch + played.stretch];
     step_ = static_cast<std::uint32_t>(played.steps);
-    between_ = played.steps - step_;
+    between_ = between == BetweenFrames::Interpolated ? played.steps - step_ : 0.0;
     const world::NextFrame next = world::nextFrame(cycle, *stretch_, played.stretch, step_);
     then_ = &world.stretches[cycle.firstStretch + next.stretch];
     thenStep_ = next.step;

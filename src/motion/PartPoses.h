@@ -31,12 +31,20 @@ struct PartPose {
     Vec3 origin{0.0};
 };
 
-/// The poses of all parts of one body at one point of a cycle. Between two frames they are interpolated at
-/// constant rate (docs/retail.md), unless a part jumps: it moves more than 4 m, or turns more than 120 degrees. Parts that the frames lack have their resting pose. World and body must
+/// The pose of a part between two frames of an animation.
+enum class BetweenFrames : std::uint8_t {
+    Held,        ///< that of the earlier frame, as in the original
+    Interpolated ///< moves and turns at a constant rate, unless the part jumps
+};
+
+/// The poses of all parts of one body at one point of a cycle. A part jumps if it
+/// moves more than 4 m, or turns more than 120 degrees, from one frame to the next; it is then never interpolated
+/// (docs/retail.md). Parts that the frames lack have their resting pose. World and body must
 /// outlive it.
 class PartPoses {
 public:
-    PartPoses(const world::World& world, const world::MovingBody& body, const CyclePoint& at);
+    PartPoses(const world::World& world, const world::MovingBody& body, const CyclePoint& at,
+              BetweenFrames between);
 
     /// The pose of the body's `index`-th part, 0..partCount-1.
     [[nodiscard]] PartPose of(std::uint32_t index) const;
@@ -52,7 +60,7 @@ private:
     const world::Stretch* stretch_ = nullptr; ///< of the earlier frame; null: the resting pose
     const world::Stretch* then_ = nullptr;    ///< of the later frame
     std::uint32_t step_ = 0, thenStep_ = 0;   ///< of the two frames, within their stretches
-    double between_ = 0.0;                    ///< 0 at the earlier frame .. 1 at the later one
+    double between_ = 0.0; ///< 0 at the earlier frame .. 1 at the later one; 0 if it is held
 };
 
 } // namespace limen::motion

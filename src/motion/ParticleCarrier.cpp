@@ -42,7 +42,8 @@ WholeCarrier wholeCarrierOf(const World& world, const ParticleSource& source, do
 
 } // namespace
 
-CarrierFrame carrierOf(const World& world, const ParticleSource& source, double seconds) {
+CarrierFrame carrierOf(const World& world, const ParticleSource& source, double seconds,
+                       BetweenFrames between) {
     LIMEN_ASSERT(source.villager == kNone || source.villager < world.villagers.size(),
                  "a source is carried by a villager of the world");
     LIMEN_ASSERT(source.idle == kNone || source.idle < world.idleObjects.size(),
@@ -53,7 +54,7 @@ CarrierFrame carrierOf(const World& world, const ParticleSource& source, double 
     const CarrierFrame& whole = carrier.frame;
     if (source.part == kNone)
         return whole;
-    const PartPoses poses(world, carrier.body, cyclePointOfCarrier(world, source, seconds));
+    const PartPoses poses(world, carrier.body, cyclePointOfCarrier(world, source, seconds), between);
     const world::PartFrame part = poses.frameOf(source.part).value_or(source.at);
     const Vec3 origin = whole.origin + whole.orientation * part.origin * carrier.scale;
     return {origin, whole.orientation * part.orientation, sweep(world, whole.space, whole.origin, origin)};

@@ -16,7 +16,7 @@ struct CarrierFrame {
     world::SpaceIndex space = world::kOutside; ///< that the origin is in
 };
 [[nodiscard]] CarrierFrame carrierOf(const world::World& world, const world::ParticleSource& source,
-                                     double seconds);
+                                     double seconds, BetweenFrames between);
 
 [[nodiscard]] inline bool isCarried(const world::ParticleSource& source) {
     return source.villager != world::kNone || source.idle != world::kNone;

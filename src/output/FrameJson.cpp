@@ -130,6 +130,7 @@ Json frameJson(const world::World& world, const engine::IdTable& table, const en
                 {"time", number(request.scene.time)},
                 {"day", request.scene.dayGroup},
                 {"weather", request.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
+                {"look", world::nameOf(request.scene.look)},
                 {"seconds", number(request.scene.seconds)},
                 {"doors", request.scene.doors ? number(*request.scene.doors) : Json()},
                 {"root", engine::spaceName(world, request.root)},

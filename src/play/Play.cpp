@@ -68,6 +68,9 @@ void Play::act(const PlayAct& act) {
         request_.scene.weather =
             request_.scene.weather == engine::Weather::Rain ? engine::Weather::Clear : engine::Weather::Rain;
         return;
+    case PlayActKind::Look:
+        request_.scene.look = act.value > 0.0 ? engine::Look::Enhanced : engine::Look::Retail;
+        return;
     case PlayActKind::Day:
         if (act.value >= 0.0 &&
             act.value < static_cast<double>(session_.part().world.sky.desc.dayGroups.size()))
@@ -178,6 +181,7 @@ void Play::standAt(engine::ViewRequest view) {
     request->scene.time = request_.scene.time;
     request->scene.dayGroup = request_.scene.dayGroup;
     request->scene.weather = request_.scene.weather;
+    request->scene.look = request_.scene.look;
     request->scene.seconds = request_.scene.seconds;
     request->scene.doors = request_.scene.doors;
     doors_.write(world, request->scene.eachDoor);

@@ -22,12 +22,13 @@ enum class PlayActKind : std::uint8_t {
     Quality,  ///< choose a quality level: `value` is an index of engine::kQualities
     Day,      ///< choose a day group: `value` is its index in the Region
     Fov,      ///< set the vertical field of view to `value` degrees
-    Go        ///< go to the ground at a point of the map: `value` and `north` are metres, global
+    Go,       ///< go to the ground at a point of the map: `value` and `north` are metres, global
+    Look      ///< 0: as the original draws; 1: world::Look::Enhanced
 };
 
 /// A one-shot action of the player, in one frame.
 struct PlayAct {
-    static constexpr std::size_t kKinds = 13;
+    static constexpr std::size_t kKinds = 14;
     PlayActKind kind = PlayActKind::Walk;
     double value = 0.0;
     double north = 0.0; ///< of Go: metres from the map's south-west corner; `value` is the metres to the east

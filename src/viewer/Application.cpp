@@ -267,6 +267,8 @@ void Application::takeNew(const Settings& settings) {
     if (world_ && settings_.quality != before.quality)
         if (const auto quality = engine::qualityNamed(settings_.quality))
             world_->act({play::PlayActKind::Quality, static_cast<double>(*quality)});
+    if (world_ && settings_.look != before.look)
+        world_->act({play::PlayActKind::Look, settings_.look == world::Look::Enhanced ? 1.0 : 0.0});
     if (world_ && settings_.fieldOfView != before.fieldOfView)
         world_->act({play::PlayActKind::Fov, settings_.fieldOfView});
     if (settings_.isFullScreen != window_.isFullScreen())

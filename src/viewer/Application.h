@@ -28,6 +28,7 @@ struct ApplicationOptions {
     engine::ViewRequest view; ///< size, time and weather of views that `start` does not make
     bool flies = false, isChased = false;
     bool isFovFixed = false;       ///< the command line chose the field of view
+    bool isLookFixed = false;      ///< the command line chose the look
     double step = 0.0;             ///< seconds of a frame; 0: measured
     std::optional<double> uiScale; ///< of the command line; none: that of the settings
     /// Scale and frame rate of the command line; none: those of the settings.

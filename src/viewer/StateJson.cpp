@@ -93,6 +93,7 @@ nlohmann::ordered_json worldJson(const WorldView& view) {
             {"time", request.scene.time},
             {"day", request.scene.dayGroup},
             {"weather", request.scene.weather == engine::Weather::Rain ? "rain" : "clear"},
+            {"look", world::nameOf(request.scene.look)},
             {"doors", request.scene.doors ? nlohmann::ordered_json(*request.scene.doors)
                                           : nlohmann::ordered_json(nullptr)},
             {"open_doors", view.openDoors()},

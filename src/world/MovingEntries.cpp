@@ -45,9 +45,27 @@ bool readWithin(const Json& object, const char* key, Entry& out) {
     return found == object.end() || (found->is_object() && read(*found, out));
 }
 
+/// A number, or an array of one to four.
+bool readShades(const Json& object, std::vector<double>& out) {
+    constexpr std::size_t kMostShades = 4;
+    const auto found = object.find("shade");
+    if (found == object.end())
+        return true;
+    const Json list = found->is_array() ? *found : Json::array({*found});
+    if (list.empty() || list.size() > kMostShades)
+        return false;
+    out.clear();
+    for (const Json& shade : list) {
+        if (!shade.is_number())
+            return false;
+        out.push_back(shade.get<double>());
+    }
+    return true;
+}
+
 bool read(const Json& object, ClothingEntry& out) {
     return readId(object, "table", out.table) && out.table != 0 &&
-           readField(object, "palette", out.palette) && readField(object, "shade", out.shade);
+           readField(object, "palette", out.palette) && readShades(object, out.shades);
 }
 
 bool read(const Json& object, VillagerEntry& out) {

@@ -48,7 +48,9 @@ struct PlayEntry {
 struct ClothingEntry {
     dat::RecordId table = 0;
     std::uint32_t palette = 0; ///< one of its palette templates; 0: colours unchanged
-    double shade = 0.5;        ///< picks a palette of a set: 0 the first .. 1 the last
+    /// One to four, by palette change of the template; later changes have the last. Each picks a palette of a
+    /// set: 0 the first .. 1 the last. Outside 0..1 the change has no effect.
+    std::vector<double> shades{0.5};
 };
 
 struct VillagerEntry {

@@ -219,6 +219,17 @@ struct TerrainCell {
     friend bool operator==(const TerrainCell&, const TerrainCell&) = default;
 };
 
+/// A grain that is repeated over surfaces near the eye (docs/formats/textures.md#detail-pictures).
+struct DetailPicture {
+    std::uint32_t texture = kNone; ///< index into textures; kNone: no grain
+    float tiling = 0.0f;           ///< repeats for each repeat of the surface's own picture, or landcell
+    friend bool operator==(const DetailPicture&, const DetailPicture&) = default;
+};
+struct Details {
+    DetailPicture land, exteriors, shells;
+    friend bool operator==(const Details&, const Details&) = default;
+};
+
 /// A lamp in a cell. Lamps outdoors light nothing.
 struct Light {
     Vec3 position{0.0};     ///< global
@@ -272,6 +283,7 @@ struct World {
     std::vector<Material> materials;
     std::vector<std::uint32_t> materialRefs; ///< indices into materials
     std::vector<TerrainCell> terrainCells;
+    Details details;
     std::vector<std::shared_ptr<const Image>> textures; ///< never null; worlds of one cache share them
     std::vector<Light> lights;
     std::vector<std::uint32_t> lampRefs; ///< indices into lights

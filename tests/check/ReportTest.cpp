@@ -116,6 +116,7 @@ TEST(Resume, aStateComesBackAsItWas) {
     worst.doors = 0.25;
     worst.dayGroup = 2;
     worst.rain = true;
+    worst.look = world::Look::Enhanced;
     const auto back = parseProgress(progressJson(progress));
     ASSERT_TRUE(back) << back.error().message();
     EXPECT_EQ(back->run, "this run");

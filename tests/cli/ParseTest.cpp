@@ -71,6 +71,12 @@ TEST(ParseWeather, knowsClearAndRain) {
     EXPECT_FALSE(parseWeather("--weather", "snow"));
 }
 
+TEST(ParseLook, knowsRetailAndEnhanced) {
+    EXPECT_EQ(parseLook("--look", "retail").value(), engine::Look::Retail);
+    EXPECT_EQ(parseLook("--look", "enhanced").value(), engine::Look::Enhanced);
+    EXPECT_FALSE(parseLook("--look", "modern"));
+}
+
 TEST(SplitArguments, groupsByQuotesAsAShellDoes) {
     EXPECT_THAT(splitArguments(R"(--eye 1,2,3  --at "0xA9B40031 [1 2 3]" -o a\ b.png '' )").value(),
                 testing::ElementsAre("--eye", "1,2,3", "--at", "0xA9B40031 [1 2 3]", "-o", "a b.png", ""));

@@ -91,15 +91,12 @@ TEST(GfxObjCodec, refusesWhatIsNoMesh) {
         hex(empty + "01  00 00  02 04 00 00 00 00 00 00 00 00 00 00 00 00  00 00 00 00 00 00 00 00"));
     ASSERT_FALSE(twoCorners);
     EXPECT_EQ(twoCorners.error().what, "a polygon has 2 vertices; it needs three");
-    const auto tag = decode<GfxObj>(0x01000005, hex(empty + "00  4C 45 41 46  00 00 00 00"));
-    ASSERT_FALSE(tag);
-    EXPECT_EQ(tag.error().what, "0x4641454C is not the tag of a BSP node");
 }
 
-TEST(GfxObjCodec, acceptsADrawingRootWithoutChildren) {
+TEST(GfxObjCodec, nodesOfUnknownTagsHaveNoChildren) {
     const std::string empty =
         "E8 05 00 01  02 00 00 00  00  01 00 00 00 00 00 00 00  00 00 00 00 00 00 00 00 00 00 00 00";
-    for (const char* tag : {"4C 4F 50 42", "4C 46 50 42"}) { // BPOL, BPFL
+    for (const char* tag : {"4C 4F 50 42", "4C 46 50 42", "58 58 50 42", "00 00 00 00"}) { // BPOL, BPFL, BPXX
         const Bytes bytes = hex(empty + "00" + tag + "00 00 80 3F 00 00 00 00 00 00 00 00 00 00 00 00" +
                                 "00 00 00 00 00 00 00 00 00 00 00 00 00 00 80 3F  01 00 00 00  09 00");
         const auto g = decode<GfxObj>(0x010005E8, bytes);

@@ -26,6 +26,7 @@ FrameRequest someEye() {
     eye.scene.seconds = 7.5;
     eye.scene.dayGroup = 2;
     eye.scene.weather = Weather::Rain;
+    eye.scene.look = Look::Enhanced;
     eye.scene.eachDoor = {0.0, 0.5, 0.75};
     return eye;
 }
@@ -42,6 +43,7 @@ void expectSame(const FrameRequest& a, const FrameRequest& b) {
     EXPECT_EQ(a.scene.seconds, b.scene.seconds);
     EXPECT_EQ(a.scene.dayGroup, b.scene.dayGroup);
     EXPECT_EQ(a.scene.weather, b.scene.weather);
+    EXPECT_EQ(a.scene.look, b.scene.look);
     EXPECT_EQ(a.scene.doors, b.scene.doors);
 }
 
@@ -70,7 +72,8 @@ TEST(CheckView, shotOptionsSayAllOfIt) {
     EXPECT_EQ(
         check::shotOptions(viewOf(eye, worldWithDoors())),
         "--eye=1,2,3 --yaw=30 --pitch=-5 --fov=75 --size=640x360 --root=0xA9B40105 --time=0.25 --seconds=7.5 "
-        "--door='c=0.75' --day=2 --weather=rain --body=7,8,9 --body-yaw=180 --body-root=0xA9B40105 "
+        "--door='c=0.75' --day=2 --weather=rain --look=enhanced --body=7,8,9 --body-yaw=180 "
+        "--body-root=0xA9B40105 "
         "--body-opacity=0.5 --body-speed=2.2 --body-metres=17.5");
 }
 

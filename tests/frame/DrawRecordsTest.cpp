@@ -93,7 +93,8 @@ TEST(DrawRecords, haveTheLampsOfTheirLightSets) {
     const world::SpaceIndex cell = world::findCell(planned.world, source.rooms.world.id(source.rooms.first));
     const world::InstanceIndex shell = planned.world.spaces[cell].shell;
     EXPECT_FALSE(records.hasLamps(shell));
-    EXPECT_EQ(records.of(shell).members.w, frame::gpu::kLitWalls);
+    EXPECT_EQ(records.of(shell).members.w,
+              frame::gpu::kLitWalls | frame::gpu::kDetailOfShells << frame::gpu::kRecordDetail);
     tables.lightSets[tables.members[tables.instances[shell].firstMember].lightSet].lampCount = 3;
     EXPECT_TRUE(records.hasLamps(shell));
     EXPECT_EQ(records.of(shell).look.w, 3u);

@@ -39,14 +39,32 @@ struct HandMade {
         world.stretches.insert(world.stretches.end(), stretches.begin(), stretches.end());
         return static_cast<std::uint32_t>(world.cycles.size() - 1);
     }
+    BetweenFrames between = BetweenFrames::Interpolated;
     [[nodiscard]] PartPose pose(std::uint32_t cycle, double seconds, std::uint32_t part = 0) const {
-        return PartPoses(world, body, {cycle, seconds}).of(part);
+        return PartPoses(world, body, {cycle, seconds}, between).of(part);
     }
     /// Where the first part is: the number of the frame, or between two.
     [[nodiscard]] double at(std::uint32_t cycle, double seconds) const {
         return pose(cycle, seconds).origin.x;
     }
 };
+
+TEST(PartPoses, standUntilTheNextFrameWhereFramesAreHeld) {
+    HandMade p;
+    p.between = BetweenFrames::Held;
+    const std::uint32_t cycle = p.add({HandMade::stretch(2, 5, 10.0)});
+    for (const auto& [seconds, frame] : {std::pair{0.0, 2.0},
+                                         {0.05, 2.0},
+                                         {0.0999, 2.0},
+                                         {0.1001, 3.0},
+                                         {0.325, 5.0},
+                                         {0.3999, 5.0},
+                                         {0.4001, 2.0}})
+        EXPECT_EQ(p.at(cycle, seconds), frame) << seconds;
+    const std::uint32_t back = p.add({HandMade::stretch(2, 5, -10.0)});
+    EXPECT_EQ(p.at(back, 0.05), 5.0);
+    EXPECT_EQ(p.at(back, 0.1001), 4.0);
+}
 
 TEST(PartPoses, playForwardsAndBeginAgainAfterTheLast) {
     HandMade p;

@@ -33,6 +33,7 @@ namespace limen::test {
     LIMEN_SAME(materials);
     LIMEN_SAME(materialRefs);
     LIMEN_SAME(terrainCells);
+    LIMEN_SAME(details);
     LIMEN_SAME(lights);
     LIMEN_SAME(lampRefs);
     LIMEN_SAME(lightSets);

@@ -14,6 +14,7 @@ Settings unusual() {
     settings.recent = {"/games/ac", "", "/tmp/other"};
     settings.lastPlaces["/games/ac"] = {"town", {1.5, -2.25, 3.0}, 90.0, -10.0, 0xA9B40100};
     settings.quality = "low";
+    settings.look = world::Look::Enhanced;
     settings.scale = {65, 45.0};
     settings.uiScale = 1.5;
     settings.mouse = MouseMode::Drag;

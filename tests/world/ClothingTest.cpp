@@ -76,7 +76,7 @@ using Texels = std::vector<std::pair<int, int>>;
 TEST(Clothing, laysColoursOverAPaletteAtTheirPlaces) {
     Wardrobe wardrobe;
     wardrobe.table.palettes.entries = {{5, {0, {{{{1, 1}, {6, 2}}, kSet}}}}};
-    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, 1.0}};
+    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, {1.0}}};
     const World world = wardrobe.load();
     EXPECT_EQ(texelsOf(world, 0), (Texels{{0, 1}, {1, 3}, {4, 1}, {7, 3}}))
         << "1, 6 and 7 are from the last palette of the set";
@@ -88,16 +88,33 @@ TEST(Clothing, takesTheShadeOfASetOrAPaletteByItself) {
          {std::tuple{kSet, 0.0, 2}, {kSet, 0.49, 2}, {kSet, 0.51, 3}, {kBlue, 0.0, 3}}) {
         Wardrobe wardrobe;
         wardrobe.table.palettes.entries = {{5, {0, {{{{0, 8}}, palettes}}}}};
-        wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, shade}};
+        wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, {shade}}};
         EXPECT_EQ(texelsOf(wardrobe.load(), 0), (Texels{{0, kind}, {1, kind}, {4, kind}, {7, kind}}));
     }
+}
+
+TEST(Clothing, hasNoColoursForShadesOutside0To1) {
+    for (const double shade : {-0.01, 1.01}) {
+        Wardrobe wardrobe;
+        wardrobe.table.palettes.entries = {{5, {0, {{{{0, 8}}, kSet}}}}};
+        wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, {shade}}};
+        EXPECT_EQ(texelsOf(wardrobe.load(), 0), (Texels{{0, 1}, {1, 1}, {4, 1}, {7, 1}})) << shade;
+    }
+}
+
+TEST(Clothing, hasAShadeForEachColourChange_theLastForLaterOnes) {
+    Wardrobe wardrobe; // texels 0, 1, 4 and 7
+    wardrobe.table.palettes.entries = {
+        {5, {0, {{{{0, 1}}, kSet}, {{{1, 1}}, kSet}, {{{2, 1}}, kSet}, {{{4, 1}}, kSet}, {{{7, 1}}, kSet}}}}};
+    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, {0.0, 1.0, 0.0, 1.0}}};
+    EXPECT_EQ(texelsOf(wardrobe.load(), 0), (Texels{{0, 2}, {1, 3}, {4, 3}, {7, 3}}));
 }
 
 TEST(Clothing, changesTexturesOfOnePartOnly) {
     Wardrobe wardrobe;
     wardrobe.table.parts.entries = {{wardrobe.setup, {{1, 0, {{wardrobe.coat, wardrobe.shirt}}}}}};
     wardrobe.table.palettes.entries = {{5, {0, {{{{5, 1}}, kRed}}}}};
-    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, 0.0}};
+    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, {0.0}}};
     const World world = wardrobe.load();
     EXPECT_EQ(texelsOf(world, 0), (Texels{{0, 1}, {1, 1}, {4, 1}, {7, 1}}));
     EXPECT_EQ(texelsOf(world, 1), (Texels{{5, 2}, {5, 2}, {1, 1}, {1, 1}}));
@@ -107,7 +124,7 @@ TEST(Clothing, changesMeshesOfParts) {
     Wardrobe wardrobe;
     wardrobe.table.parts.entries = {{wardrobe.setup, {{0, wardrobe.plainCube, {}}}},
                                     {0x02000999, {{1, wardrobe.plainCube, {}}}}};
-    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 0, 0.0}};
+    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 0, {0.0}}};
     const World world = wardrobe.load();
     const MovingBody& body = world.villagers.at(0).body;
     ASSERT_EQ(body.partCount, 2u);
@@ -120,7 +137,7 @@ TEST(Clothing, hasOneBasePaletteForAllIndexedPicturesOfABody) {
     Wardrobe wardrobe;
     wardrobe.table.parts.entries = {{wardrobe.setup, {{1, 0, {{wardrobe.coat, wardrobe.shirt}}}}}};
     wardrobe.table.palettes.entries = {{5, {0, {{{{1, 1}}, kRed}}}}};
-    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, 0.0}};
+    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, {0.0}}};
     wardrobe.hut.moving.villagers[0].basePalette = kBlue;
     const World world = wardrobe.load();
     EXPECT_EQ(texelsOf(world, 0), (Texels{{0, 3}, {1, 2}, {4, 3}, {7, 3}}));
@@ -140,7 +157,7 @@ Dress dressInTwo(const std::vector<dat::PartChange>& first, const std::vector<da
     EXPECT_TRUE(wardrobe.hut.source.write(directory.path()));
     const Result<dat::Archive> archive = dat::Archive::open(directory.path());
     Records records(*archive);
-    const std::vector<ClothingEntry> garments{{kTable, 0, 0.0}, {kTable + 1, 0, 0.0}};
+    const std::vector<ClothingEntry> garments{{kTable, 0, {0.0}}, {kTable + 1, 0, {0.0}}};
     return dressOf(wardrobe.setup, {garments, 0}, records);
 }
 
@@ -167,7 +184,7 @@ TEST(Clothing, isSharedByEqualVillagersAndDoesNotAffectOthers) {
     auto& villagers = wardrobe.hut.moving.villagers;
     villagers.push_back(villagers[0]);
     villagers.push_back(villagers[0]);
-    villagers[0].clothing = villagers[1].clothing = {{kTable, 5, 0.0}};
+    villagers[0].clothing = villagers[1].clothing = {{kTable, 5, {0.0}}};
     const World world = wardrobe.load();
     const auto materialOf = [&](std::size_t who) {
         return world.materialRefs[world.movingParts[world.villagers.at(who).body.firstPart].firstMaterial];
@@ -183,7 +200,7 @@ TEST(Clothing, isWornByThePlayerSolidAndFaded) {
     Wardrobe wardrobe;
     wardrobe.table.palettes.entries = {{5, {0, {{{{0, 8}}, kRed}}}}};
     wardrobe.hut.moving.player = wardrobe.setup;
-    wardrobe.hut.moving.playerClothing = {{kTable, 5, 0.0}};
+    wardrobe.hut.moving.playerClothing = {{kTable, 5, {0.0}}};
     const World world = wardrobe.load();
     for (const MovingBody* body : {&world.player.solid, &world.player.ghost}) {
         const Material& material =
@@ -195,7 +212,7 @@ TEST(Clothing, isWornByThePlayerSolidAndFaded) {
 TEST(Clothing, thatDoesNotExistIsReported) {
     Wardrobe wardrobe;
     wardrobe.hut.source.portalFile().add(wardrobe.table);
-    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 6, 0.0}, {0x10000099, 0, 0.0}};
+    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 6, {0.0}}, {0x10000099, 0, {0.0}}};
     const World world = wardrobe.hut.load();
     EXPECT_THAT(test::findingsOf(world), testing::HasSubstr("no palette template 6"));
     EXPECT_EQ(world.findings.size(), 2u);

@@ -51,7 +51,7 @@ TEST(MovingEntries, areReadAsTheyStand) {
     EXPECT_EQ(moving.villagers[0].clothing[0].palette, 0u);
     EXPECT_EQ(moving.villagers[0].clothing[1].table, 0x10000002u);
     EXPECT_EQ(moving.villagers[0].clothing[1].palette, 3u);
-    EXPECT_EQ(moving.villagers[0].clothing[1].shade, 0.75);
+    EXPECT_EQ(moving.villagers[0].clothing[1].shades, std::vector{0.75});
     EXPECT_EQ(moving.villagers[0].play.kind, 12u);
     EXPECT_EQ(moving.villagers[0].play.intensity, 0.5);
     EXPECT_EQ(moving.player, 0x02000300u);

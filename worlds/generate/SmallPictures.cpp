@@ -165,6 +165,8 @@ void addSmallMaterials(WorldRecords& records) {
     records.palettes.clear();
     for (dat::RenderSurface& image : records.renderSurfaces) {
         const std::uint32_t index = image.id - kFirstPicture;
+        if (index >= (groundGrainId() & 0xFFFFFFu) - (kFirstPicture & 0xFFFFFFu))
+            continue; // detail pictures
         const bool blend = index >= kMaterials + kGrounds;
         const bool ground = !blend && index >= kMaterials;
         const Canvas canvas = blend    ? paintSmallBlend(index - kMaterials - kGrounds)

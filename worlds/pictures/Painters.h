@@ -69,6 +69,11 @@ struct GrassStyle {
 enum class BlendShape : std::uint8_t { Corner, Side, RoadCorner, RoadSide, RoadDiagonal };
 [[nodiscard]] Canvas paintBlend(BlendShape shape, std::uint32_t seed);
 
+/// Detail pictures. The grain of walls adds its colour minus its alpha, as shares of the colour beneath it; that
+/// of the ground covers by its alpha.
+[[nodiscard]] Canvas paintWallGrain();
+[[nodiscard]] Canvas paintGroundGrain();
+
 /// Sky pictures: u goes around the horizon, v from the zenith (0) past the horizon (kHorizonV) to below it
 /// (1).
 inline constexpr double kHorizonV = 0.8;

@@ -14,10 +14,17 @@ namespace {
 using dat::PixelFormat;
 using S = dat::Surface;
 
-// Texture ids in one range, in this order: pictures of materials, of the ground, blend maps.
+// Texture ids in one range, in this order: pictures of materials, of the ground, blend maps, detail
+// pictures.
 constexpr std::uint32_t kFirstRecord = 0x100;
 constexpr auto kMaterialCount = static_cast<std::uint32_t>(Material::Count);
 constexpr auto kGroundCount = static_cast<std::uint32_t>(Ground::Count);
+constexpr std::array kBlends{BlendShape::Corner,      BlendShape::Corner,   BlendShape::Corner,
+                             BlendShape::Side,        BlendShape::Side,     BlendShape::Side,
+                             BlendShape::RoadCorner,  BlendShape::RoadSide, BlendShape::RoadSide,
+                             BlendShape::RoadDiagonal};
+constexpr std::uint32_t kGroundGrain = kMaterialCount + kGroundCount + kBlends.size();
+constexpr std::uint32_t kWallGrain = kGroundGrain + 1;
 
 Canvas paintSprite(Material material) {
     switch (material) {
@@ -183,6 +190,13 @@ dat::RecordId blendTextureId(std::uint32_t index) {
     return textureId(kMaterialCount + kGroundCount + index);
 }
 
+dat::RecordId groundGrainId() {
+    return textureId(kGroundGrain);
+}
+dat::RecordId wallGrainId() {
+    return textureId(kWallGrain);
+}
+
 Canvas paintMaterial(Material material) {
     switch (material) {
     case Material::Planks:
@@ -247,14 +261,14 @@ void addMaterials(WorldRecords& records, Pictures pictures) {
         addTexture(records, kMaterialCount + g,
                    painted ? paintGround(static_cast<Ground>(g)) : blankPicture(), format);
     }
-    constexpr std::array kBlends{BlendShape::Corner,      BlendShape::Corner,   BlendShape::Corner,
-                                 BlendShape::Side,        BlendShape::Side,     BlendShape::Side,
-                                 BlendShape::RoadCorner,  BlendShape::RoadSide, BlendShape::RoadSide,
-                                 BlendShape::RoadDiagonal};
     for (std::uint32_t b = 0; b < kBlends.size(); ++b) {
         addTexture(records, kMaterialCount + kGroundCount + b,
                    painted ? paintBlend(kBlends[b], 2401 + b) : blankPicture(), PixelFormat::LandscapeAlpha);
     }
+    // Blank ones leave colours as they are.
+    const Canvas none(4, 4, Vec4f(0.0f));
+    addTexture(records, kGroundGrain, painted ? paintGroundGrain() : none, PixelFormat::A8R8G8B8);
+    addTexture(records, kWallGrain, painted ? paintWallGrain() : none, PixelFormat::A8R8G8B8);
 }
 
 void setPicture(WorldRecords& records, Material material, const Canvas& canvas) {

@@ -89,6 +89,9 @@ enum class Ground : std::uint8_t {
 /// Id of the SurfaceTexture of a ground picture, or of the `index`-th blend map.
 [[nodiscard]] dat::RecordId groundTextureId(Ground ground);
 [[nodiscard]] dat::RecordId blendTextureId(std::uint32_t index);
+/// Ids of the SurfaceTextures of the detail pictures.
+[[nodiscard]] dat::RecordId groundGrainId();
+[[nodiscard]] dat::RecordId wallGrainId();
 
 /// The picture of a material as painted, before it is encoded; empty (0 × 0) for solid colours.
 [[nodiscard]] Canvas paintMaterial(Material material);

@@ -8,23 +8,7 @@ struct Children {
     bool negative = false;
 };
 
-bool isKnown(BspTag tag) {
-    switch (tag) {
-    case BspTag::Leaf:
-    case BspTag::Port:
-    case BspTag::BPnn:
-    case BspTag::BPIn:
-    case BspTag::BpIN:
-    case BspTag::BpnN:
-    case BspTag::BPIN:
-    case BspTag::BPnN:
-    case BspTag::BPOL:
-    case BspTag::BPFL:
-        return true;
-    }
-    return false;
-}
-
+/// A tag that is none of the enumerators has no children, as in the original.
 Children childrenOf(BspTag tag) {
     switch (tag) {
     case BspTag::BPnn:
@@ -100,11 +84,6 @@ std::int32_t readNode(ByteReader& io, BspTree& tree, BspKind kind, int depth) {
     const auto tag = io.get<BspTag>();
     if (io.failed())
         return -1;
-    if (!isKnown(tag)) {
-        io.failAt(start,
-                  fmt::format("0x{:08X} is not the tag of a BSP node", static_cast<std::uint32_t>(tag)));
-        return -1;
-    }
     if (depth >= kMaxBspDepth) {
         io.failAt(start, fmt::format("the BSP tree is deeper than {} nodes", kMaxBspDepth));
         return -1;

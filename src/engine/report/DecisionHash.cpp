@@ -23,6 +23,7 @@ std::uint64_t decisionHash(const FrameRequest& request, const visibility::Visibl
     hash.add(request.root);
     hash.add(request.scene.dayGroup);
     hash.add(request.scene.weather);
+    hash.add(request.scene.look);
     for (const visibility::Visit& visit : visible.visits)
         for (const std::uint32_t value : {visit.space, visit.parent, visit.portal, visit.vertexCount})
             hash.add(value);

@@ -29,6 +29,16 @@ bool hasLampVariant(Drawing drawing, frame::Program program) {
             program == frame::Program::Blended);
 }
 
+bool hasDetailVariant(frame::Program program, ProgramVariant variant) {
+    return !variant.flat && (program == frame::Program::Opaque || program == frame::Program::Terrain);
+}
+
+bool hasPixelLampVariant(Drawing drawing, frame::Program program, ProgramVariant variant) {
+    const bool isMesh = program == frame::Program::Opaque || program == frame::Program::CutOut ||
+                        program == frame::Program::Blended;
+    return isMesh && !variant.flat && (drawing == Drawing::Exact || variant.lamps);
+}
+
 struct Shaders {
     const char* name;
     const char* vertex;
@@ -83,6 +93,10 @@ ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVari
         vary("gated", "GATED");
     if (hasLampVariant(drawing, program) && variant.lamps)
         vary("lamps", "LAMPS");
+    if (hasDetailVariant(program, variant) && variant.details)
+        vary("details", "DETAILS");
+    if (hasPixelLampVariant(drawing, program, variant) && variant.pixelLamps)
+        vary("pixel lamps", "PIXEL_LAMPS");
     if (variant.multisampled)
         vary("multisampled", "MULTISAMPLED");
     if (fast && (variant.ids || variant.flat) && hasFlatVariant(program))
@@ -122,7 +136,10 @@ Result<Programs> Programs::create(Device& device, Drawing drawing, const SceneBi
 Result<bool> Programs::buildNext(std::size_t& bytes) {
     for (; built_ < 2 * kPrograms; ++built_) {
         const auto program = static_cast<frame::Program>(built_ / 2);
-        const ProgramVariant variant{.gated = built_ % 2 == 1, .ids = drawing_ == Drawing::Exact};
+        const bool grained =
+            program == frame::Program::Terrain ? textures_.grainedLand : textures_.grainedMeshes;
+        const ProgramVariant variant{
+            .gated = built_ % 2 == 1, .details = grained, .ids = drawing_ == Drawing::Exact};
         if (has(program, variant))
             continue;
         if (bytes == 0)
@@ -143,7 +160,9 @@ std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) co
     const std::size_t flat = variant.flat && hasFlatVariant(program) ? 2 : 0;
     const std::size_t lamps = hasLampVariant(drawing_, program) && variant.lamps ? 16 : 0;
     const std::size_t ids = drawing_ == Drawing::Fast && variant.ids ? 8 : 0;
-    return gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps;
+    const std::size_t details = hasDetailVariant(program, variant) && variant.details ? 32 : 0;
+    const std::size_t pixel = hasPixelLampVariant(drawing_, program, variant) && variant.pixelLamps ? 64 : 0;
+    return gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps + details + pixel;
 }
 
 Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {

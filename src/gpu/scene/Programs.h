@@ -13,6 +13,8 @@ struct ProgramVariant {
     bool flat = false;         ///< coloured by id (RenderOptions::shading); for Blended: counts layers
     bool multisampled = false; ///< for multisampled targets
     bool lamps = false;        ///< with lamps; without effect on Drawing::Exact, whose programs all have them
+    bool details = false;      ///< with detail pictures; only for opaque meshes and ground
+    bool pixelLamps = false;   ///< lamps light walls in fragments; of Drawing::Fast only with `lamps`
     bool ids = true;           ///< with ids; without effect on Drawing::Exact, whose programs all have them
 };
 
@@ -23,6 +25,7 @@ struct ProgramVariant {
 /// Texture bindings of a scene's programs.
 struct SceneBindings {
     TextureBinding meshes, terrain;
+    bool grainedMeshes = false, grainedLand = false; ///< the scene has detail pictures for them
     friend bool operator==(const SceneBindings&, const SceneBindings&) = default;
 };
 
@@ -51,7 +54,7 @@ public:
 
 private:
     static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
-    static constexpr std::size_t kVariants = 32;
+    static constexpr std::size_t kVariants = 128;
     [[nodiscard]] bool has(frame::Program program, ProgramVariant variant) const;
     [[nodiscard]] std::size_t indexOf(frame::Program program, ProgramVariant variant) const;
 

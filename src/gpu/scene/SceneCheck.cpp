@@ -89,6 +89,15 @@ Result<void> checkMaterials(const SceneUpload& scene) {
     return {};
 }
 
+Result<void> checkDetails(const SceneUpload& scene) {
+    const frame::SceneDetails& details = scene.details;
+    for (const std::uint32_t texture : {details.land, details.exteriors, details.shells})
+        if (texture != layout::kNoTexture && texture >= scene.textures.size())
+            return broken("detail picture", texture,
+                          fmt::format("is beyond the {} textures of the scene", scene.textures.size()));
+    return {};
+}
+
 Result<void> checkTerrain(const SceneUpload& scene) {
     const auto isGood = [&](std::uint32_t texture) {
         return texture == layout::kNoTexture || texture < scene.textures.size();
@@ -150,6 +159,7 @@ Result<void> checkScene(const SceneUpload& scene) {
         .and_then([&] { return checkPieces(scene); })
         .and_then([&] { return checkMaterials(scene); })
         .and_then([&] { return checkTerrain(scene); })
+        .and_then([&] { return checkDetails(scene); })
         .and_then([&] { return checkLights(scene); })
         .and_then([&] { return checkTextures(scene); });
 }

@@ -24,7 +24,12 @@ SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures&
         std::for_each(std::begin(cell.overlays), std::end(cell.overlays), addLayer);
         std::for_each(std::begin(cell.roads), std::end(cell.roads), addLayer);
     }
-    return {bindingFor(textures, meshes), bindingFor(textures, terrain)};
+    const frame::SceneDetails& details = upload.details;
+    meshes.insert(meshes.end(), {details.exteriors, details.shells});
+    terrain.push_back(details.land);
+    return {bindingFor(textures, meshes), bindingFor(textures, terrain),
+            details.exteriors != layout::kNoTexture || details.shells != layout::kNoTexture,
+            details.land != layout::kNoTexture};
 }
 
 /// Whether the previous pages keep their numbers.

@@ -57,6 +57,22 @@ void chooseQuality(Ui& ui, Settings& settings) {
     ImGui::EndCombo();
 }
 
+void chooseLook(Ui& ui, Settings& settings) {
+    const auto textOf = [](world::Look look) {
+        return look == world::Look::Retail
+                   ? "retail: as the original drew"
+                   : "enhanced: light per pixel, smooth animations, grain on the ground";
+    };
+    const bool isOpen = ImGui::BeginCombo("##look", textOf(settings.look));
+    ui.note("look");
+    if (!isOpen)
+        return;
+    for (const world::Look look : {world::Look::Retail, world::Look::Enhanced})
+        if (ui.selectable(textOf(look), settings.look == look))
+            settings.look = look;
+    ImGui::EndCombo();
+}
+
 /// Draws two buttons: one replaces an action's keys, the other adds a key.
 void drawKeyButtons(Ui& ui, const PagesFacts& facts, const HelpLine& help, PageChoice& choice) {
     const Action action = *help.action;
@@ -119,6 +135,8 @@ PageChoice drawGraphics(Ui& ui, const PagesFacts& facts, std::optional<double>& 
                             "scale. All levels draw the same "
                             "surfaces; they differ in distance and smoothness.");
     chooseQuality(ui, settings);
+    beginSetting("Look", "Where the way of the original costs smoothness.");
+    chooseLook(ui, settings);
     ScaleWish scale = facts.scale.wish;
     beginSetting("Scale",
                  "Size of the 3-D picture before it is enlarged to the window. Letters and controls always "

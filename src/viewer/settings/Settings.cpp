@@ -164,6 +164,11 @@ Result<SettingsFile> parseSettings(const std::string& text) {
         "quality", "low, medium, high, ultra or an empty text",
         [](const std::string& name) { return name.empty() || engine::qualityNamed(name).has_value(); },
         settings.quality);
+    std::string look(world::nameOf(settings.look));
+    reader.text(
+        "look", "retail or enhanced",
+        [](const std::string& name) { return world::lookNamed(name).has_value(); }, look);
+    settings.look = *world::lookNamed(look);
     readScale(reader, settings.scale);
     reader.number("ui_scale", 0.5, 4.0, settings.uiScale);
     std::string mouse = "capture";
@@ -190,6 +195,7 @@ std::string settingsText(const Settings& settings, const std::string& fileText) 
     for (const auto& [world, place] : settings.lastPlaces)
         places[world] = placeJson(place);
     json["quality"] = settings.quality;
+    json["look"] = world::nameOf(settings.look);
     json["scale"] =
         settings.scale.percent == 0 ? SettingsJson(kAutomatic) : SettingsJson(settings.scale.percent);
     json["frame_rate"] =

@@ -4,6 +4,7 @@
 #include "dat/Ids.h"
 #include "geometry/Vec.h"
 #include "viewer/scale/ScaleWish.h"
+#include "world/Look.h"
 
 #include <filesystem>
 #include <map>
@@ -33,7 +34,8 @@ struct Settings {
     static constexpr std::size_t kMostRecent = 8;
     std::vector<std::string> recent; ///< directories of worlds, the latest first
     std::map<std::string, LastPlace> lastPlaces;
-    std::string quality;  ///< a name of engine::kQualities; empty: the program's own choice
+    std::string quality; ///< a name of engine::kQualities; empty: the program's own choice
+    world::Look look = world::Look::Retail;
     ScaleWish scale;      ///< of the 3-D picture
     double uiScale = 1.0; ///< 0.5..4, on top of the screen's own scale
     MouseMode mouse = MouseMode::Capture;

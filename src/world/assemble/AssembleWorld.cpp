@@ -9,6 +9,9 @@
 #include "world/assemble/TerrainAssembler.h"
 #include "world/assemble/VillagerAssembler.h"
 
+#include <algorithm>
+#include <array>
+
 namespace limen::world {
 namespace {
 
@@ -19,6 +22,21 @@ void append(const std::vector<Finding>& findings, World& world) {
 /// The Region of a world that has a sky, else null.
 const dat::Region* regionWithSky(const dat::Region* region) {
     return region != nullptr && (region->partsMask & dat::Region::kSky) != 0 ? region : nullptr;
+}
+
+/// The first three rows of the Region's ground textures name the grain of the ground, of exteriors and of
+/// shells, whatever the terrain types of the rows are.
+Details detailsOf(const dat::Region& region, Materials& materials) {
+    Details details;
+    const std::vector<dat::TerrainTexture>& rows = region.texMerge.textures;
+    const std::array<DetailPicture*, 3> pictures{&details.land, &details.exteriors, &details.shells};
+    for (std::size_t i = 0; i < std::min(pictures.size(), rows.size()); ++i) {
+        constexpr std::uint32_t kMostTiling = 1024;
+        if (rows[i].detailTexture != 0 && rows[i].detailTiling != 0)
+            *pictures[i] = {materials.plainTexture(rows[i].detailTexture),
+                            static_cast<float>(std::min(rows[i].detailTiling, kMostTiling))};
+    }
+    return details;
 }
 
 } // namespace
@@ -67,6 +85,8 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
              .dress = dressOf(moving.player, {moving.playerClothing, moving.playerPalette}, records)});
         world.player.ghost = bodies.addBlended(world.player.solid);
     }
+    if (region != nullptr)
+        world.details = detailsOf(*region, materials);
     const dat::Region* const sky = regionWithSky(region);
     if (sky != nullptr)
         particles.addWeather(sky->sky);

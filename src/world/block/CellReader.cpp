@@ -64,7 +64,8 @@ std::vector<CellBspNode> treeOf(const dat::BspTree& tree, const Pose& pose) {
         if (child.record < 0 || static_cast<std::size_t>(child.record) >= tree.nodes.size())
             continue;
         const dat::BspNode& record = tree.nodes[static_cast<std::size_t>(child.record)];
-        const bool isLeaf = record.tag == dat::BspTag::Leaf;
+        const bool isLeaf =
+            record.positive < 0 && record.negative < 0; // planes of others without children mean nothing
         if (isLeaf && !child.isNegative)
             continue; // a positive leaf is inside, which a missing child means, too
         const std::optional<Plane> plane =

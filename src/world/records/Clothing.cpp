@@ -27,19 +27,23 @@ void changeParts(const std::vector<dat::PartChange>& changes, Records& records, 
 
 constexpr std::uint32_t kWholePalette = 0xFFFFFFFF; ///< a count; it is cut to the palette
 
-/// The palette that a change names, directly or as one shade of a set; 0 if there is none.
+/// The palette that a change names, directly or as one shade of a set; 0 if there is none, as for a shade outside
+/// 0..1.
 dat::RecordId paletteOf(const dat::PaletteChange& change, double shade, Records& records) {
     if (change.palettes >> 24 == 0x04)
         return change.palettes;
     const dat::PaletteSet* set = records.paletteSet(change.palettes);
-    if (set == nullptr || set->palettes.empty())
+    if (set == nullptr || set->palettes.empty() || !(shade >= 0.0 && shade <= 1.0))
         return 0;
     return set->palettes[shadeIndex(set->palettes.size(), shade)];
 }
 
-void changeColours(const dat::PaletteTemplate& colours, double shade, Records& records, Dress& dress) {
-    for (const dat::PaletteChange& change : colours.changes) {
-        const dat::RecordId palette = paletteOf(change, shade, records);
+void changeColours(const dat::PaletteTemplate& colours, std::span<const double> shades, Records& records,
+                   Dress& dress) {
+    LIMEN_ASSERT(!shades.empty(), "a garment has a shade");
+    for (std::size_t i = 0; i < colours.changes.size(); ++i) {
+        const dat::PaletteChange& change = colours.changes[i];
+        const dat::RecordId palette = paletteOf(change, shades[std::min(i, shades.size() - 1)], records);
         for (const dat::PaletteRange& range : change.ranges)
             if (palette != 0)
                 dress.overlays.push_back({palette, range.offset, range.count});
@@ -67,7 +71,7 @@ Dress dressOf(dat::RecordId setup, const Outfit& outfit, Records& records) {
         const dat::PaletteTemplate* colours =
             piece.palette != 0 ? findKey(table->palettes, piece.palette) : nullptr;
         if (colours != nullptr)
-            changeColours(*colours, piece.shade, records, dress);
+            changeColours(*colours, piece.shades, records, dress);
         else if (piece.palette != 0)
             records.report({piece.table, "has no palette template " + std::to_string(piece.palette) +
                                              ", which world.json names"});

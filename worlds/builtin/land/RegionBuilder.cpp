@@ -2,6 +2,8 @@
 
 #include "worlds/builtin/land/TerrainShape.h"
 
+#include <array>
+
 namespace limen::worlds {
 
 namespace {
@@ -211,6 +213,13 @@ void addTexMerge(dat::TexMerge& merge) {
     road.texture = groundTextureId(Ground::Road);
     road.tiling = 3;
     merge.textures.push_back(road);
+    // By row: grain of the ground, of exteriors and of shells.
+    constexpr std::uint32_t kGrainTiling = 4;
+    const std::array grains{groundGrainId(), wallGrainId(), wallGrainId()};
+    for (std::size_t row = 0; row < grains.size(); ++row) {
+        merge.textures[row].detailTexture = grains[row];
+        merge.textures[row].detailTiling = kGrainTiling;
+    }
 }
 
 dat::GameTime calendar() {
