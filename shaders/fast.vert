@@ -3,9 +3,8 @@
 // In: one vertex of the arena, model space; the DrawRecord of its draw. Out: clip position; factors of the texel; the
 // texture.
 // TERRAIN: the surface is the landcell's index in its block, else the surface's slot in its mesh. CUTOUT, BLENDED: the
-// limits of alpha. GATED: the members that the ownership test needs. LAMPS: with the lamps of the record. PIXEL_LAMPS: fragments
-// add those of walls. DETAILS: the detail picture. IDS: the
-// polygon's id.
+// limits of alpha. GATED: the members that the ownership test needs. LAMPS: with the lamps of the record. PIXEL_LAMPS:
+// fragments add those of walls. DETAILS: the detail picture. IDS: the polygon's id.
 #include "incident.glsl"
 
 layout(location = kAttributePosition) in vec3 inPosition;

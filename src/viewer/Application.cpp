@@ -268,11 +268,15 @@ void Application::takeNew(const Settings& settings) {
         if (const auto quality = engine::qualityNamed(settings_.quality))
             world_->act({play::PlayActKind::Quality, static_cast<double>(*quality)});
     if (world_ && settings_.look != before.look)
-        world_->act({play::PlayActKind::Look, settings_.look == world::Look::Enhanced ? 1.0 : 0.0});
+        showLook();
     if (world_ && settings_.fieldOfView != before.fieldOfView)
         world_->act({play::PlayActKind::Fov, settings_.fieldOfView});
     if (settings_.isFullScreen != window_.isFullScreen())
         window_.switchFullScreen();
+}
+
+void Application::showLook() {
+    world_->act({play::PlayActKind::Look, settings_.look == world::Look::Enhanced ? 1.0 : 0.0});
 }
 
 void Application::takeUiScale(double scale) {

@@ -130,6 +130,8 @@ private:
     void take(const PageChoice& choice);
     void takeNew(const Settings& settings);
     void takeUiScale(double scale);
+    /// Shows the world in the look of the settings. Requires a world.
+    void showLook();
     void takeScale(const ScaleWish& wish);
     void keepSettings();
     void notice(std::string text);

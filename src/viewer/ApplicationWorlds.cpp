@@ -103,7 +103,7 @@ void Application::show(OpenedWorld opened) {
     if (settings_.fieldOfView != world_->request().camera.fovDegrees && !isFovFixed())
         world_->act({play::PlayActKind::Fov, settings_.fieldOfView});
     if (!options_.isLookFixed && settings_.look != world_->request().scene.look)
-        world_->act({play::PlayActKind::Look, settings_.look == world::Look::Enhanced ? 1.0 : 0.0});
+        showLook();
     if (isFirstWorld_ && !options_.record.empty())
         beginRecording();
     isFirstWorld_ = false;

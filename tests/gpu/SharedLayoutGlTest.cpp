@@ -183,22 +183,32 @@ protected:
     std::string header_;
 };
 
-/// Reads the driver's offsets and array stride.
-void read(GLuint program, Offsets& offsets, std::size_t& stride) {
+/// Calls `take(name, values)` for every member of a program's interface, with the values of two properties.
+template <class Take>
+void readMembers(GLuint program, GLenum interface, const std::array<GLenum, 2>& properties,
+                 const Take& take) {
     GLint count = 0;
-    glGetProgramInterfaceiv(program, GL_BUFFER_VARIABLE, GL_ACTIVE_RESOURCES, &count);
+    glGetProgramInterfaceiv(program, interface, GL_ACTIVE_RESOURCES, &count);
     for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
         std::array<GLchar, 128> name{};
         GLsizei length = 0;
-        glGetProgramResourceName(program, GL_BUFFER_VARIABLE, i, name.size(), &length, name.data());
-        constexpr std::array<GLenum, 2> kWanted{GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE};
+        glGetProgramResourceName(program, interface, i, static_cast<GLsizei>(name.size()), &length,
+                                 name.data());
         std::array<GLint, 2> values{};
-        glGetProgramResourceiv(program, GL_BUFFER_VARIABLE, i, kWanted.size(), kWanted.data(), values.size(),
-                               nullptr, values.data());
-        offsets[std::string(name.data(), static_cast<std::size_t>(length))] =
-            static_cast<std::size_t>(values[0]);
-        stride = static_cast<std::size_t>(values[1]);
+        glGetProgramResourceiv(program, interface, i, static_cast<GLsizei>(properties.size()),
+                               properties.data(), static_cast<GLsizei>(values.size()), nullptr,
+                               values.data());
+        take(std::string(name.data(), static_cast<std::size_t>(length)), values);
     }
+}
+
+/// Reads the driver's offsets and array stride.
+void read(GLuint program, Offsets& offsets, std::size_t& stride) {
+    readMembers(program, GL_BUFFER_VARIABLE, {GL_OFFSET, GL_TOP_LEVEL_ARRAY_STRIDE},
+                [&](const std::string& name, const std::array<GLint, 2>& values) {
+                    offsets[name] = static_cast<std::size_t>(values[0]);
+                    stride = static_cast<std::size_t>(values[1]);
+                });
 }
 
 TEST_F(SharedLayoutGlTest, everyMemberLiesWhereTheDriverReadsIt) {
@@ -216,18 +226,11 @@ TEST_F(SharedLayoutGlTest, everyMemberLiesWhereTheDriverReadsIt) {
 /// Offsets of the frame's uniform block, by the names of its members behind "entries[0].".
 Offsets frameBlockOf(GLuint program) {
     Offsets offsets;
-    GLint count = 0;
-    glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
-    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
-        std::array<GLchar, 128> name{};
-        GLsizei length = 0;
-        glGetProgramResourceName(program, GL_UNIFORM, i, name.size(), &length, name.data());
-        constexpr std::array<GLenum, 1> kWanted{GL_OFFSET};
-        GLint offset = 0;
-        glGetProgramResourceiv(program, GL_UNIFORM, i, 1, kWanted.data(), 1, nullptr, &offset);
-        offsets["entries[0]." + std::string(name.data(), static_cast<std::size_t>(length))] =
-            static_cast<std::size_t>(offset);
-    }
+    readMembers(program, GL_UNIFORM, {GL_OFFSET, GL_BLOCK_INDEX},
+                [&](const std::string& name, const std::array<GLint, 2>& values) {
+                    if (values[1] >= 0) // in a block
+                        offsets["entries[0]." + name] = static_cast<std::size_t>(values[0]);
+                });
     return offsets;
 }
 

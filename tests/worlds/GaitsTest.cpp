@@ -33,7 +33,8 @@ struct Actor {
     [[nodiscard]] motion::PartPose pose(std::uint32_t part, double at) const {
         for (std::uint32_t i = 0; i < body().partCount; ++i) {
             if (loaded().posedParts.at(body().firstPosed + i).part == part)
-                return motion::PartPoses(loaded(), body(), motion::cyclePoint(loaded(), body(), gait, at, at))
+                return motion::PartPoses(loaded(), body(), motion::cyclePoint(loaded(), body(), gait, at, at),
+                                         motion::BetweenFrames::Interpolated)
                     .of(i);
         }
         ADD_FAILURE() << villager.name << " has no part " << part;

@@ -135,7 +135,9 @@ PageChoice drawGraphics(Ui& ui, const PagesFacts& facts, std::optional<double>& 
                             "scale. All levels draw the same "
                             "surfaces; they differ in distance and smoothness.");
     chooseQuality(ui, settings);
-    beginSetting("Look", "Where the way of the original costs smoothness.");
+    beginSetting("Look",
+                 "Both show the same surfaces. They differ in lamps on walls, in animations and in the "
+                 "grain of the ground.");
     chooseLook(ui, settings);
     ScaleWish scale = facts.scale.wish;
     beginSetting("Scale",
