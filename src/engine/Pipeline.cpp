@@ -52,6 +52,7 @@ void Pipeline::plan(const frame::FrameView& view) {
                  "the flood was from this view");
     frame::FrameView planned = view;
     planned.fewTests = planned.fillsVoids = renderer_.options().drawing == gpu::Drawing::Fast;
+    planned.details &= view.look == world::Look::Enhanced || renderer_.choices().details;
     part_->planner.plan(planned, state_.dynamics, state_.visible, state_.plan);
     isPlanned_ = true;
 }

@@ -80,6 +80,12 @@ DriverChoice cullingOf(const DriverChoices& choices) {
                                              : "as the options say"};
 }
 
+DriverChoice detailsOf(const DriverChoices& choices) {
+    return {"detail_pictures", choices.details ? "on" : "only in the look enhanced",
+            choices.details ? choices.software ? "drawn exact" : "a card samples them at little cost"
+                            : "drawn fast on the processor, they add half of a frame's time within cells"};
+}
+
 } // namespace
 
 DriverChoices driverChoices(const RendererOptions& options, const Capabilities& capabilities,
@@ -95,6 +101,7 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
     choices.anisotropy = capabilities.software ? 1.0f : options.textures.anisotropy;
     choices.samples = std::max(samples, 1u);
     choices.computes = !isFast;
+    choices.details = !isFast || !capabilities.software;
     if (!isFast && options.exactOutlines && choices.samples == 1)
         choices.culling = options.culling;
     return choices;
@@ -103,7 +110,7 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
 std::vector<DriverChoice> describe(const DriverChoices& choices) {
     return {rasteriserOf(choices), drawingOf(choices), texturesOf(choices),   pagesOf(choices),
             terrainOf(choices),    levelsOf(choices),  anisotropyOf(choices), samplesOf(choices),
-            commandsOf(choices),   cullingOf(choices)};
+            commandsOf(choices),   cullingOf(choices), detailsOf(choices)};
 }
 
 } // namespace limen::gpu

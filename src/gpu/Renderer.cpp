@@ -389,6 +389,10 @@ FrameReport Renderer::report() const {
     return report;
 }
 
+DriverChoices Renderer::choices() const {
+    return driverChoices(options_, device_->capabilities());
+}
+
 DriverReport Renderer::driver() const {
     const Capabilities& capabilities = device_->capabilities();
     DriverReport report{capabilities.vendor, capabilities.renderer, capabilities.version, "", 0, 0};

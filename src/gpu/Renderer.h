@@ -2,6 +2,7 @@
 
 #include "frame/FramePlan.h"
 #include "frame/SceneUpload.h"
+#include "gpu/DriverChoices.h"
 #include "gpu/FrameReport.h"
 #include "gpu/RenderOptions.h"
 #include "gpu/RenderTarget.h"
@@ -41,6 +42,8 @@ public:
     /// State that stageScene needs, beside the device's capabilities.
     [[nodiscard]] SceneState state() const;
     [[nodiscard]] const RendererOptions& options() const { return options_; }
+    /// Decisions for its device, of a target with one sample a pixel.
+    [[nodiscard]] DriverChoices choices() const;
     /// Anisotropic filtering limit for the textures of later scenes.
     void setAnisotropy(float most) { options_.textures.anisotropy = most; }
     /// Starts the upload of a staged scene; drops an unfinished one. Errors: Driver, if a program does not

@@ -75,8 +75,8 @@ TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
         EXPECT_FALSE(std::string(choice.reason).empty());
     }
     const std::set<std::string> expected{
-        "rasteriser", "drawing",    "textures",      "pages_by_index", "packed_landcells",
-        "mip_levels", "anisotropy", "multisampling", "draw_commands",  "triangle_culling"};
+        "rasteriser", "drawing",       "textures",      "pages_by_index",   "packed_landcells", "mip_levels",
+        "anisotropy", "multisampling", "draw_commands", "triangle_culling", "detail_pictures"};
     EXPECT_EQ(names, expected);
 }
 

@@ -61,8 +61,10 @@ Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& 
         return tl::unexpected(textures.error());
     StagedScene staged;
     staged.bindings = bindingsOf(scene, *textures);
-    staged.packsTerrain =
-        driverChoices(options, capabilities).packsTerrain && staged.bindings.terrain.pageCount > 0;
+    const DriverChoices choices = driverChoices(options, capabilities);
+    staged.packsTerrain = choices.packsTerrain && staged.bindings.terrain.pageCount > 0;
+    staged.bindings.grainedMeshes &= choices.details; // else their programs are built when a frame needs them
+    staged.bindings.grainedLand &= choices.details;
     // Programs that can sample unneeded pages exist already; programs without them would have to be built.
     if (before.bindings && !textures->bindless && keepsPageNumbers(before.textures, *textures)) {
         include(before.bindings->meshes, staged.bindings.meshes);
