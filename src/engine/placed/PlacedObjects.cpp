@@ -1,0 +1,131 @@
+#include "engine/placed/PlacedObjects.h"
+
+#include "world/Nearby.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace limen::engine {
+namespace {
+
+using placements::Template;
+using placements::TemplateType;
+
+constexpr std::uint32_t kFirstIndoors = 0x0100;
+
+Quat orientationOf(const placements::Spot& spot) {
+    const Quat q(static_cast<double>(spot.angles[0]), static_cast<double>(spot.angles[1]),
+                 static_cast<double>(spot.angles[2]), static_cast<double>(spot.angles[3]));
+    const double length = glm::length(q);
+    return length > 1e-6 && std::isfinite(length) ? q / length : Quat(1.0, 0.0, 0.0, 0.0);
+}
+
+double scaleOf(const Template& of) {
+    constexpr double kLeast = 0.01, kMost = 100.0; // a scale beyond is damaged data
+    const double scale = of.scale.value_or(1.0);
+    return scale >= kLeast && scale <= kMost ? scale : 1.0;
+}
+
+/// The garment of a template's ClothingBase, if it has one.
+void addGarment(const Template& of, std::optional<std::int32_t> palette, std::optional<double> shade,
+                std::vector<world::ClothingEntry>& out) {
+    if (of.clothingBase == 0)
+        return;
+    const std::int32_t colours = palette.value_or(of.paletteTemplate.value_or(0));
+    out.push_back({of.clothingBase, colours > 0 ? static_cast<std::uint32_t>(colours) : 0,
+                   {shade.value_or(of.shade.value_or(0.0))}});
+}
+
+world::LookEntry lookOf(const Template& of) {
+    constexpr std::uint32_t kColours = 8, kWhole = 2048; // ranges count groups of eight; 0 is the whole palette
+    world::LookEntry look;
+    for (const placements::PaletteChange& change : of.palettes)
+        look.colours.push_back({change.palette, change.offset * kColours,
+                                change.length != 0 ? change.length * kColours : kWhole});
+    for (const placements::TextureChange& change : of.textures)
+        look.textures.push_back({change.part, change.from, change.to});
+    for (const placements::PartChange& change : of.parts)
+        look.parts.push_back({change.part, change.model});
+    return look;
+}
+
+bool stopsBodies(const Template& of) {
+    const auto state = static_cast<std::uint32_t>(of.physicsState.value_or(0));
+    return (state & placements::kEthereal) == 0 && !of.ethereal.value_or(false) &&
+           of.type != static_cast<std::int32_t>(TemplateType::Portal);
+}
+
+} // namespace
+
+world::PlacedEntry placedEntry(const placements::Standing& standing, const Template& of,
+                               const placements::FindTemplate& find) {
+    world::PlacedEntry entry;
+    const bool isDoor = of.type == static_cast<std::int32_t>(TemplateType::Door);
+    entry.kind = isDoor ? world::PlacedEntry::Kind::Door : world::PlacedEntry::Kind::Thing;
+    entry.id = standing.id;
+    entry.name = fmt::format("{} {:08X}", of.name.empty() ? of.className : of.name, standing.id);
+    entry.model = of.setup;
+    entry.motionTable = of.motionTable;
+    const placements::Spot& spot = standing.spot;
+    entry.cell = (spot.cell & 0xFFFF) >= kFirstIndoors ? spot.cell : 0;
+    entry.block = dat::blockOf(spot.cell);
+    entry.position = Vec3(entry.block.x * world::kBlockSize, entry.block.y * world::kBlockSize, 0.0) +
+                     Vec3(static_cast<double>(spot.origin[0]), static_cast<double>(spot.origin[1]),
+                          static_cast<double>(spot.origin[2]));
+    entry.orientation = orientationOf(spot);
+    entry.scale = scaleOf(of);
+    entry.opacity = 1.0 - std::clamp(of.translucency.value_or(0.0), 0.0, 1.0);
+    entry.isOpen = of.open.value_or(of.defaultOpen.value_or(false));
+    entry.stopsBodies = stopsBodies(of);
+    entry.isOnGround = standing.isScattered;
+    addGarment(of, standing.palette, standing.shade ? std::optional<double>(*standing.shade) : std::nullopt,
+               entry.clothing);
+    for (const placements::CreatedItem& item : of.items) {
+        if ((item.destination & placements::CreatedItem::kWield) == 0)
+            continue;
+        if (const Template* worn = find(item.templateId))
+            addGarment(*worn, item.palette > 0 ? std::optional(item.palette) : std::nullopt,
+                       static_cast<double>(item.shade), entry.clothing);
+    }
+    entry.basePalette = of.paletteBase;
+    entry.look = lookOf(of);
+    return entry;
+}
+
+const Template* PlacedObjects::find(std::uint32_t id) const {
+    const auto [entry, isNew] = templates_.try_emplace(id);
+    if (isNew) {
+        Result<std::optional<Template>> of = database_.findTemplate(id);
+        if (of)
+            entry->second = std::move(*of);
+        else
+            fault_ = tl::unexpected(of.error());
+    }
+    return entry->second ? &*entry->second : nullptr;
+}
+
+Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::PlacedEntry>& out) const {
+    const auto number = static_cast<std::uint32_t>(block.x) << 8 | static_cast<std::uint32_t>(block.y);
+    const Result<placements::Landblock> landblock = database_.landblock(number);
+    if (!landblock)
+        return tl::unexpected(landblock.error());
+    const std::lock_guard guard(lock_);
+    const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
+    for (const placements::Standing& standing : standingIn(*landblock, findTemplate))
+        if (const Template* of = find(standing.templateId))
+            out.push_back(placedEntry(standing, *of, findTemplate));
+    return fault_;
+}
+
+Result<std::vector<world::PlacedEntry>> PlacedObjects::around(const dat::Archive& archive, dat::BlockCoord centre,
+                                                              const world::LoadOptions& options) const {
+    std::vector<world::PlacedEntry> entries;
+    const int radius = world::isDungeon(archive, centre) ? 0 : std::clamp(options.radius, 0, 255);
+    for (const dat::BlockCoord block : world::blocksAround(centre, radius))
+        if (Result<void> added = addBlock(block, entries); !added)
+            return tl::unexpected(added.error());
+    return entries;
+}
+
+} // namespace limen::engine
