@@ -28,7 +28,15 @@ Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch se
         if (archive->contains<dat::Setup>(kHumanMale))
             file->moving.player = kHumanMale;
     }
-    return WorldSource{{}, std::move(*archive), std::move(*file), "", isSearched};
+    std::unique_ptr<PlacedObjects> placed;
+    if (std::filesystem::exists(paths.directory / placements::kWorldDbName)) {
+        Result<placements::WorldDb> database =
+            placements::WorldDb::open(paths.directory / placements::kWorldDbName);
+        if (!database)
+            return tl::unexpected(database.error());
+        placed = std::make_unique<PlacedObjects>(std::move(*database));
+    }
+    return WorldSource{{}, std::move(*archive), std::move(*file), "", isSearched, std::move(placed)};
 }
 
 Result<WorldSource> openAt(const std::filesystem::path& path, PlaceSearch search,
@@ -55,6 +63,17 @@ Result<WorldSource> openBuiltIn(const SearchProgress& progress) {
 }
 
 } // namespace
+
+Result<world::MovingEntries> movingAround(const WorldSource& source, dat::BlockCoord centre,
+                                          const world::LoadOptions& options) {
+    world::MovingEntries moving = source.file.moving;
+    if (source.placed == nullptr)
+        return moving;
+    return source.placed->around(source.archive, centre, options).map([&](std::vector<world::PlacedEntry>&& placed) {
+        moving.placed = std::move(placed);
+        return std::move(moving);
+    });
+}
 
 Result<std::vector<world::Place>> tourOf(const WorldSource& source, const SearchProgress& progress) {
     if (source.isSearched || !source.file.tour.empty())

@@ -2,6 +2,7 @@
 #include "cli/world/PlacedList.h"
 #include "cli/world/WorldVerbs.h"
 #include "core/NumberText.h"
+#include "engine/placed/RowsOfWorldFile.h"
 #include "output/OutputFile.h"
 #include "placements/ExportSql.h"
 
@@ -17,12 +18,19 @@ struct WorldExportArguments {
     std::string dat, output, as = "sql";
 };
 
+/// The rows of a database, or those that a world.json gives.
+Result<placements::Content> contentOf(const PlacedWorld& world, const Console& console) {
+    if (world.database != nullptr)
+        return world.database->readAll();
+    engine::WorldFileRows rows = engine::rowsOf(*world.file);
+    console.note(fmt::format("limen: rows for {} doors and {} people, who stand; rows cannot hold {} panes and emitters",
+                             rows.doors, rows.people, rows.left));
+    return std::move(rows.content);
+}
+
 /// Writes each landblock and each template to a file of SQL below a directory.
 Result<Exit> exportSql(const PlacedWorld& world, const std::filesystem::path& directory, const Console& console) {
-    if (world.database == nullptr)
-        return fail(ErrorCode::Unsupported, world.path.string(),
-                    "a world.json has routes, which the tables of SQL cannot hold; export it with --as json");
-    const Result<placements::Content> content = world.database->readAll();
+    const Result<placements::Content> content = contentOf(world, console);
     if (!content)
         return tl::unexpected(content.error());
     std::size_t done = 0;
