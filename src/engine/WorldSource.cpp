@@ -69,10 +69,11 @@ Result<world::MovingEntries> movingAround(const WorldSource& source, dat::BlockC
     world::MovingEntries moving = source.file.moving;
     if (source.placed == nullptr)
         return moving;
-    return source.placed->around(source.archive, centre, options).map([&](std::vector<world::PlacedEntry>&& placed) {
-        moving.placed = std::move(placed);
-        return std::move(moving);
-    });
+    return source.placed->around(source.archive, centre, options)
+        .map([&](std::vector<world::PlacedEntry>&& placed) {
+            moving.placed = std::move(placed);
+            return std::move(moving);
+        });
 }
 
 Result<std::vector<world::Place>> tourOf(const WorldSource& source, const SearchProgress& progress) {

@@ -15,8 +15,8 @@ struct WorldSource {
     std::optional<BuiltInWorld> builtIn; ///< keeps a temporary directory alive
     dat::Archive archive;
     world::WorldFile file;
-    std::string datOption;   ///< "" or " --dat DIR", for command lines in reports
-    bool isSearched = false; ///< places, start and tour of `file` are from the records
+    std::string datOption;                   ///< "" or " --dat DIR", for command lines in reports
+    bool isSearched = false;                 ///< places, start and tour of `file` are from the records
     std::unique_ptr<PlacedObjects> placed{}; ///< of the world.db beside the files; null: there is none
 };
 

@@ -1,10 +1,10 @@
 #include "motion/Collisions.h"
 
 #include "core/Assert.h"
-#include "world/LeafPose.h"
 #include "geometry/ConvexPolygon.h"
 #include "geometry/Tolerances.h"
 #include "motion/Locate.h"
+#include "world/LeafPose.h"
 
 #include <algorithm>
 #include <btBulletCollisionCommon.h>

@@ -30,8 +30,9 @@ void addLeaves(const world::Door& door, double open, DynamicInstances& instances
         const world::LeafPose at = world::leafPose(world, leaf, open);
         const BodyPose pose{at.turn, at.origin};
         const bool isShut = open == 0.0 && leaf.shut.partCount > 0;
-        const std::size_t first = isShut ? instances.addInPlace(leaf.shut)
-                                         : instances.addBody(leaf.body, scaled(pose, leaf.scale), {}, portal.space);
+        const std::size_t first =
+            isShut ? instances.addInPlace(leaf.shut)
+                   : instances.addBody(leaf.body, scaled(pose, leaf.scale), {}, portal.space);
         instances.setSpaces(first, instances.reachedFromSidesOf(portal, pose.placed(leaf.body.bounds)));
     }
 }

@@ -55,7 +55,8 @@ public:
 
     void run() {
         for (const GeneratorEntry& entry : of_.generator)
-            for (std::int32_t i = 0; entry.probability == -1.0f && i < entry.initCreate && made_ < kMostMade; ++i)
+            for (std::int32_t i = 0; entry.probability == -1.0f && i < entry.initCreate && made_ < kMostMade;
+                 ++i)
                 make(entry);
         const std::int32_t wanted = std::min(of_.initGenerated.value_or(0), kMostMade);
         for (std::int32_t i = made_; i < wanted; ++i)
@@ -67,9 +68,10 @@ private:
     /// The first entry whose probability reaches a random number; null if none does.
     [[nodiscard]] const GeneratorEntry* drawn(std::uint32_t number) const {
         const double random = chance(at_.guid, number, 0);
-        const auto found = std::find_if(of_.generator.begin(), of_.generator.end(), [&](const GeneratorEntry& entry) {
-            return static_cast<double>(entry.probability) >= random;
-        });
+        const auto found =
+            std::find_if(of_.generator.begin(), of_.generator.end(), [&](const GeneratorEntry& entry) {
+                return static_cast<double>(entry.probability) >= random;
+            });
         return found != of_.generator.end() ? &*found : nullptr;
     }
 
@@ -141,7 +143,8 @@ std::vector<Standing> standingIn(const Landblock& landblock, const FindTemplate&
             Generator(placement, kept, find, standing).run();
         }
     }
-    std::sort(standing.begin(), standing.end(), [](const Standing& a, const Standing& b) { return a.id < b.id; });
+    std::sort(standing.begin(), standing.end(),
+              [](const Standing& a, const Standing& b) { return a.id < b.id; });
     return standing;
 }
 

@@ -8,10 +8,11 @@ namespace limen::placements {
 
 /// An object that stands in the world at its start: a placed one, or one that a generator has made.
 struct Standing {
-    std::uint64_t id = 0; ///< unique in the world, below 2^48: the guid, and above it the number of what a generator made
+    std::uint64_t id =
+        0; ///< unique in the world, below 2^48: the guid, and above it the number of what a generator made
     std::uint32_t templateId = 0;
     Spot spot;
-    bool isScattered = false; ///< near a generator: outdoors, its height is that of the ground
+    bool isScattered = false;            ///< near a generator: outdoors, its height is that of the ground
     std::optional<std::int32_t> palette; ///< in place of its template's
     std::optional<float> shade;
 };

@@ -10,7 +10,8 @@ namespace limen::world {
 namespace {
 
 std::span<const LeafKey> keysOf(const World& world, const Leaf& leaf) {
-    LIMEN_ASSERT(std::size_t{leaf.firstKey} + leaf.keyCount <= world.leafKeys.size(), "a leaf's keys are in the world");
+    LIMEN_ASSERT(std::size_t{leaf.firstKey} + leaf.keyCount <= world.leafKeys.size(),
+                 "a leaf's keys are in the world");
     return std::span(world.leafKeys).subspan(leaf.firstKey, leaf.keyCount);
 }
 

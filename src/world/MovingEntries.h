@@ -18,7 +18,8 @@ struct LeafEntry {
     dat::RecordId model = 0;
     Vec3 position{0.0};
     double yaw = 0.0, swing = 0.0;
-    dat::RecordId motionTable = 0; ///< that opens the model as the swing does, for rows of a database; 0: none
+    dat::RecordId motionTable =
+        0; ///< that opens the model as the swing does, for rows of a database; 0: none
 };
 
 struct DoorEntry {
@@ -70,7 +71,7 @@ struct MovingEntries {
     std::vector<VillagerEntry> villagers;
     std::vector<EmitterEntry> emitters;
     std::vector<PlacedEntry> placed; ///< of a world database, not of world.json
-    dat::RecordId player = 0; ///< model of the player's body; 0: it is not drawn
+    dat::RecordId player = 0;        ///< model of the player's body; 0: it is not drawn
     std::vector<ClothingEntry> playerClothing;
     dat::RecordId playerPalette = 0; ///< as VillagerEntry::basePalette
     bool rain = false;               ///< whether it rains at the start

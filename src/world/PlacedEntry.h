@@ -43,8 +43,8 @@ struct PlacedEntry {
         Door   ///< opens and shuts, in the opening that it stands before
     };
     Kind kind = Kind::Thing;
-    std::uint64_t id = 0; ///< unique in the world, below 2^56
-    std::string name;     ///< unique in the world
+    std::uint64_t id = 0;                     ///< unique in the world, below 2^56
+    std::string name;                         ///< unique in the world
     dat::RecordId model = 0, motionTable = 0; ///< motionTable 0: that of the Setup
     dat::RecordId cell = 0;                   ///< 0: outside
     dat::BlockCoord block;                    ///< the landblock that it belongs to
@@ -52,9 +52,9 @@ struct PlacedEntry {
     Quat orientation{1.0, 0.0, 0.0, 0.0};     ///< a unit quaternion
     double scale = 1.0;
     double opacity = 1.0;
-    bool isOpen = false;     ///< of a door, initially
-    bool stopsBodies = true; ///< false: bodies walk through it
-    bool isOnGround = false; ///< outside: its height is that of the ground, where there is ground
+    bool isOpen = false;                 ///< of a door, initially
+    bool stopsBodies = true;             ///< false: bodies walk through it
+    bool isOnGround = false;             ///< outside: its height is that of the ground, where there is ground
     std::vector<ClothingEntry> clothing; ///< later entries cover earlier ones
     dat::RecordId basePalette = 0;       ///< of all indexed pictures; 0: each has its own
     LookEntry look;

@@ -27,7 +27,8 @@ void expectCleanDoors(PlacedHut& placed, const PictureOptions& options, bool shu
     const world::SpaceIndex front = pictures.space(placed.hut.source.id(placed.hut.front));
     for (const double doors : {0.0, 0.004, 0.35, 0.5, 1.0}) {
         for (const DoorEye& eye : kEyes) {
-            SCOPED_TRACE(::testing::Message() << "doors " << doors << ", eye " << eye.eye.x << " " << eye.eye.y);
+            SCOPED_TRACE(::testing::Message()
+                         << "doors " << doors << ", eye " << eye.eye.x << " " << eye.eye.y);
             const frame::FrameView frame =
                 pictures.look(eye.eye, eye.yaw, -4, eye.isInside ? front : world::kOutside);
             pictures.setDynamics(dynamicsFor(frame, 1.0, doors));
@@ -67,8 +68,8 @@ TEST_P(CasesPlaced, case43_barsAndADoorWithoutAnOpening) {
 TEST_P(CasesPlaced, case43_thingsOfADatabaseBelongToTheSpacesThatTheyReach) {
     PlacedHut placed;
     placed.placeDoors();
-    placed.hut.moving.placed.push_back(
-        placed.thing(9, placed.hut.table, placed.hut.source.id(placed.hut.front), {10.6, 11.5, 2})); // through the door
+    placed.hut.moving.placed.push_back(placed.thing(
+        9, placed.hut.table, placed.hut.source.id(placed.hut.front), {10.6, 11.5, 2})); // through the door
     placed.hut.moving.placed.push_back(placed.thing(10, placed.hut.body, 0, {8.5, 11.5, 2}));
     placed.hut.moving.placed.back().opacity = 0.5;
     expectCleanDoors(placed, options(placed.hut.moving), true);

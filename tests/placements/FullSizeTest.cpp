@@ -25,7 +25,9 @@ double secondsOf(const std::function<void()>& work) {
 double processorSeconds() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -60,13 +62,15 @@ Content fullContent() {
         const std::uint32_t id = 0x0A0A + (i / 68) * 0x0100 + i % 68;
         placements::Landblock& landblock = content.landblocks[id];
         const std::uint32_t end = static_cast<std::uint32_t>(std::uint64_t{kObjects} * (i + 1) / kLandblocks);
-        const std::uint32_t linkEnd = static_cast<std::uint32_t>(std::uint64_t{kLinks} * (i + 1) / kLandblocks);
+        const std::uint32_t linkEnd =
+            static_cast<std::uint32_t>(std::uint64_t{kLinks} * (i + 1) / kLandblocks);
         for (std::uint32_t n = 0; made < end; ++made, ++n) {
             const float at = static_cast<float>(made % 19200) * 0.01f;
-            landblock.placements.push_back({0x70000000 | id << 12 | n,
-                                            1 + made * 7919 % kTemplates,
-                                            {id << 16 | (0x0100 + n % 64), {at, 192.0f - at, 0.5f}, {0.5f, 0.0f, 0.0f, 0.866025f}},
-                                            n > 0});
+            landblock.placements.push_back(
+                {0x70000000 | id << 12 | n,
+                 1 + made * 7919 % kTemplates,
+                 {id << 16 | (0x0100 + n % 64), {at, 192.0f - at, 0.5f}, {0.5f, 0.0f, 0.0f, 0.866025f}},
+                 n > 0});
         }
         for (std::uint32_t n = 1; linked < linkEnd; ++linked, ++n)
             landblock.links.push_back({landblock.placements[0].guid, landblock.placements[n].guid});
@@ -78,9 +82,10 @@ Content fullContent() {
 std::string otherRows(std::uint32_t id) {
     std::string rows;
     for (int i = 0; i < 40; ++i)
-        rows += fmt::format("INSERT INTO `weenie_properties_emote_action` (`emote_Id`, `order`, `type`, `delay`, `message`)\n"
-                            "VALUES (@parent_id,  {}, 10 /* Tell */, 0, 'It''s a text; {} of them');\n\n",
-                            i, id);
+        rows += fmt::format(
+            "INSERT INTO `weenie_properties_emote_action` (`emote_Id`, `order`, `type`, `delay`, `message`)\n"
+            "VALUES (@parent_id,  {}, 10 /* Tell */, 0, 'It''s a text; {} of them');\n\n",
+            i, id);
     return rows;
 }
 
@@ -103,12 +108,15 @@ TEST(FullSizeWorld, isImportedWithinTwoMinutes) {
     ASSERT_TRUE(read.has_value()) << read.error().message();
     EXPECT_TRUE(*read == content);
     const std::filesystem::path path = directory / "world.db";
-    const auto write = [&] { EXPECT_TRUE(placements::writeWorldDb(path, *read, {"test", "now"}).has_value()); };
+    const auto write = [&] {
+        EXPECT_TRUE(placements::writeWorldDb(path, *read, {"test", "now"}).has_value());
+    };
     const double writing = secondsOf(write);
     read->landblocks.begin()->second.placements[0].spot.origin[2] += 1.0f;
     const double update = secondsOf(write);
     const double used = processorSeconds() - before;
-    fmt::print("{} MiB of templates; read {:.1f} s, written {:.1f} s, updated {:.1f} s, {:.1f} s of processor time, file {:.1f} MiB, peak "
+    fmt::print("{} MiB of templates; read {:.1f} s, written {:.1f} s, updated {:.1f} s, {:.1f} s of "
+               "processor time, file {:.1f} MiB, peak "
                "{:.0f} MiB\n",
                bytes >> 20, reading, writing, update, used,
                static_cast<double>(std::filesystem::file_size(path)) / 1048576.0, peakMiB());

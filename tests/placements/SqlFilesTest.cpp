@@ -59,7 +59,7 @@ std::string nameOf(const Result<Content>& content, std::uint32_t id) {
 
 TEST(SqlFiles, aPatchReplacesTheFileOfTheSameNameInTheSameNumberedFolder) {
     const TemporaryDirectory directory;
-    putIn(directory / "core/9 WeenieDefaults/A/00001 Door.sql", textOf(1, "old"));
+    putIn(directory / "core/Database/3-Core/9 WeenieDefaults/A/00001 Door.sql", textOf(1, "old"));
     putIn(directory / "core/9 WeenieDefaults/A/00002 Sign.sql", textOf(2, "kept"));
     putIn(directory / "core/5 Encounters/00001 Door.sql", textOf(3, "another folder"));
     putIn(directory / "patches/9 WeenieDefaults/B/00001 Door.sql", textOf(1, "new"));

@@ -20,7 +20,8 @@ struct StandingWorld {
         return made;
     }
     void place(std::uint32_t guid, std::uint32_t id, bool isChild = false, std::uint32_t cell = 0x01010001) {
-        landblock.placements.push_back({guid, id, {cell, {10.0f, 20.0f, 3.0f}, {1.0f, 0.0f, 0.0f, 0.0f}}, isChild});
+        landblock.placements.push_back(
+            {guid, id, {cell, {10.0f, 20.0f, 3.0f}, {1.0f, 0.0f, 0.0f, 0.0f}}, isChild});
     }
     [[nodiscard]] std::vector<Standing> standing() const {
         return standingIn(landblock, [&](std::uint32_t id) -> const Template* {
@@ -118,7 +119,8 @@ TEST(Standing, aGeneratorDrawsByProbability) {
         world.place(guid, 1);
     const std::vector<Standing> made = world.standing();
     ASSERT_EQ(made.size(), 2000u);
-    const auto first = std::count_if(made.begin(), made.end(), [](const Standing& one) { return one.templateId == 5; });
+    const auto first =
+        std::count_if(made.begin(), made.end(), [](const Standing& one) { return one.templateId == 5; });
     EXPECT_NEAR(static_cast<double>(first), 500.0, 80.0); // four standard deviations
 }
 

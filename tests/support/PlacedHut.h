@@ -34,7 +34,8 @@ struct PlacedHut {
         table.id = id;
         table.defaultStyle = kPuppetStyle;
         table.styleDefaults = {{kPuppetStyle, kSubstateOff}};
-        const std::uint32_t off = dat::motionKey(kPuppetStyle, kSubstateOff), on = dat::motionKey(kPuppetStyle, kSubstateOn);
+        const std::uint32_t off = dat::motionKey(kPuppetStyle, kSubstateOff),
+                            on = dat::motionKey(kPuppetStyle, kSubstateOn);
         table.cycles = {{off, motion(animationId, 0, 0)}, {on, motion(animationId, kFrames, kFrames)}};
         table.links = {{off, {{kSubstateOn, motion(animationId, 1, kFrames)}}}};
         hut.source.portalFile().add(table);
@@ -54,7 +55,8 @@ struct PlacedHut {
         return entry;
     }
     /// Something that stands still.
-    [[nodiscard]] world::PlacedEntry thing(std::uint64_t id, std::uint32_t model, dat::RecordId cell, const Vec3& at) const {
+    [[nodiscard]] world::PlacedEntry thing(std::uint64_t id, std::uint32_t model, dat::RecordId cell,
+                                           const Vec3& at) const {
         world::PlacedEntry entry = door(id, at, 0);
         entry.kind = world::PlacedEntry::Kind::Thing;
         entry.name = "thing " + std::to_string(id);
@@ -74,7 +76,8 @@ private:
     static constexpr int kFrames = 30;
     static dat::Frame turned(double degrees) {
         const double half = -degrees * std::numbers::pi / 360.0;
-        return {Vec3f(0.0f), Quatf(static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half)))};
+        return {Vec3f(0.0f),
+                Quatf(static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half)))};
     }
     static dat::MotionData motion(std::uint32_t animation, int low, int high) {
         dat::MotionData data;

@@ -26,7 +26,8 @@ const Door* findDoorAt(const World& world, dat::RecordId cell, std::uint32_t ind
 double differenceOf(const LeafPose& a, const LeafPose& b) {
     double most = glm::length(a.origin - b.origin);
     for (int axis = 0; axis < 3; ++axis)
-        most = std::max(most, glm::length(a.origin - b.origin) + 2.0 * glm::length(a.turn[axis] - b.turn[axis]));
+        most =
+            std::max(most, glm::length(a.origin - b.origin) + 2.0 * glm::length(a.turn[axis] - b.turn[axis]));
     return most;
 }
 
@@ -88,7 +89,8 @@ TEST(PlacedDoor, isMovedIntoThePlaneOfItsOpening) {
         placed.placeDoors();
         placed.hut.moving.placed[0].position.x += away;
         const World world = placed.hut.load();
-        const Door* front = findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.frontDoor.index);
+        const Door* front =
+            findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.frontDoor.index);
         ASSERT_NE(front, nullptr) << away;
         const LeafPose pose = leafPose(world, world.leaves[front->firstLeaf], 0.0);
         EXPECT_NEAR(world.portals[front->portal].plane.signedDistance(pose.origin), 0.0, 1e-6) << away;
@@ -113,7 +115,8 @@ TEST(PlacedDoor, standsWhereItIsWithoutAnOpening) {
         entry.orientation = turn;
         entry.scale = scale;
         const World world = placed.hut.load();
-        const Door* door = findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.frontDoor.index);
+        const Door* door =
+            findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.frontDoor.index);
         if (door == nullptr) {
             EXPECT_THAT(test::findingsOf(world), HasSubstr("\"door 1\" stands before no opening"));
             EXPECT_FALSE(world.placed[0].isHung);
@@ -141,7 +144,8 @@ TEST(PlacedDoor, twoInOneOpeningAreOneDoor) {
     PlacedEntry& first = placed.hut.moving.placed[0];
     first.scale = 1.0;
     // Two leaves of half the width, from both sides of the opening.
-    const std::uint32_t half = placed.hut.source.addModel(test::boxExterior({-0.03, 0, 0}, {0.03, 0.5, 2}, "wood"));
+    const std::uint32_t half =
+        placed.hut.source.addModel(test::boxExterior({-0.03, 0, 0}, {0.03, 0.5, 2}, "wood"));
     first.model = half;
     PlacedEntry second = first;
     second.id = 3;
@@ -175,7 +179,8 @@ TEST(PlacedDoor, barsDoNotShutTheView) {
 TEST(PlacedDoor, aLeafInThePlaneOfItsOpeningHasNoFilling) {
     PlacedHut placed;
     placed.placeDoors();
-    placed.hut.moving.placed[0].model = placed.hut.source.addModel(test::boxExterior({-0.001, 0, 0}, {0.001, 1, 2}, "paper"));
+    placed.hut.moving.placed[0].model =
+        placed.hut.source.addModel(test::boxExterior({-0.001, 0, 0}, {0.001, 1, 2}, "paper"));
     const World world = placed.hut.load();
     const Door* front = findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.frontDoor.index);
     ASSERT_NE(front, nullptr) << test::findingsOf(world);
@@ -232,7 +237,8 @@ TEST(LeafReach, holdsTheLeafAtEveryOpenness) {
 
 TEST(PlacedThing, standsInItsCell) {
     PlacedHut placed;
-    placed.hut.moving.placed = {placed.thing(7, placed.hut.table, placed.hut.source.id(placed.hut.rear), {16, 12, 2})};
+    placed.hut.moving.placed = {
+        placed.thing(7, placed.hut.table, placed.hut.source.id(placed.hut.rear), {16, 12, 2})};
     placed.hut.moving.placed[0].orientation = glm::angleAxis(0.5, Vec3(0, 0, 1));
     placed.hut.moving.placed[0].scale = 0.5;
     const World world = placed.hut.load();
@@ -249,7 +255,8 @@ TEST(PlacedThing, standsInItsCell) {
 
 TEST(PlacedThing, inACellThatDoesNotExistIsAFinding) {
     PlacedHut placed;
-    placed.hut.moving.placed = {placed.thing(7, placed.hut.table, placed.hut.source.id(placed.hut.rear) + 50, {16, 12, 2})};
+    placed.hut.moving.placed = {
+        placed.thing(7, placed.hut.table, placed.hut.source.id(placed.hut.rear) + 50, {16, 12, 2})};
     const World world = placed.hut.load();
     EXPECT_TRUE(world.placed.empty());
     EXPECT_THAT(test::findingsOf(world), HasSubstr("\"thing 7\" stands in a cell that does not exist"));
@@ -257,7 +264,8 @@ TEST(PlacedThing, inACellThatDoesNotExistIsAFinding) {
 
 TEST(PlacedThing, outsideMayStandOnTheGround) {
     PlacedHut placed;
-    placed.hut.moving.placed = {placed.thing(7, placed.hut.table, 0, {30, 30, 77}), placed.thing(8, placed.hut.table, 0, {40, 30, 77})};
+    placed.hut.moving.placed = {placed.thing(7, placed.hut.table, 0, {30, 30, 77}),
+                                placed.thing(8, placed.hut.table, 0, {40, 30, 77})};
     placed.hut.moving.placed[0].isOnGround = true;
     const World world = placed.hut.load();
     ASSERT_EQ(world.placed.size(), 2u);
@@ -268,11 +276,13 @@ TEST(PlacedThing, outsideMayStandOnTheGround) {
 
 TEST(PlacedThing, withAMotionTableOfItsOwnMovesInPlace) {
     PlacedHut placed;
-    placed.hut.moving.placed = {placed.thing(7, placed.setup, 0, {30, 30, 2}), placed.thing(8, placed.setup, 0, {40, 30, 2})};
+    placed.hut.moving.placed = {placed.thing(7, placed.setup, 0, {30, 30, 2}),
+                                placed.thing(8, placed.setup, 0, {40, 30, 2})};
     placed.hut.moving.placed[0].motionTable = placed.addTable(0x09000103, 0x03000103, 45.0);
     placed.hut.moving.placed[1].opacity = 0.5;
     World world = placed.hut.load();
-    ASSERT_EQ(world.idleObjects.size(), 1u) << "the table's standing pose equals the resting one; the faded one is idle";
+    ASSERT_EQ(world.idleObjects.size(), 1u)
+        << "the table's standing pose equals the resting one; the faded one is idle";
     EXPECT_EQ(world.idleObjects[0].opacity, 0.5);
     // A cycle that moves: Off plays all frames.
     PlacedHut moving;
@@ -293,8 +303,10 @@ TEST(PlacedThing, withAMotionTableOfItsOwnMovesInPlace) {
 
 TEST(PlacedThing, hasALookOfItsOwn) {
     PlacedHut placed;
-    const std::uint32_t other = placed.hut.source.addModel(test::boxExterior({-1, -1, 0}, {1, 1, 1}, "velvet"));
-    placed.hut.moving.placed = {placed.thing(7, placed.setup, 0, {30, 30, 2}), placed.thing(8, placed.setup, 0, {40, 30, 2})};
+    const std::uint32_t other =
+        placed.hut.source.addModel(test::boxExterior({-1, -1, 0}, {1, 1, 1}, "velvet"));
+    placed.hut.moving.placed = {placed.thing(7, placed.setup, 0, {30, 30, 2}),
+                                placed.thing(8, placed.setup, 0, {40, 30, 2})};
     placed.hut.moving.placed[0].look.parts = {{0, other}};
     const World world = placed.hut.load();
     std::vector<dat::RecordId> records;
@@ -318,7 +330,8 @@ TEST(PlacedThing, stopsBodiesUnlessItIsEthereal) {
         EXPECT_TRUE(solids);
         return std::count_if(solids->solids.begin(), solids->solids.end(), [&](const Solid& solid) {
             const Vec3 corner = solids->origin + solids->corners[3 * solid.firstTriangle];
-            return solid.kind == InstanceKind::Static && glm::length(corner - placed.hut.at({30, 30, 2})) < 2.0;
+            return solid.kind == InstanceKind::Static &&
+                   glm::length(corner - placed.hut.at({30, 30, 2})) < 2.0;
         });
     };
     EXPECT_EQ(solidsOf(true), 1);

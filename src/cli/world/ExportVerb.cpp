@@ -23,13 +23,15 @@ Result<placements::Content> contentOf(const PlacedWorld& world, const Console& c
     if (world.database != nullptr)
         return world.database->readAll();
     engine::WorldFileRows rows = engine::rowsOf(*world.file);
-    console.note(fmt::format("limen: rows for {} doors and {} people, who stand; rows cannot hold {} panes and emitters",
-                             rows.doors, rows.people, rows.left));
+    console.note(fmt::format(
+        "limen: rows for {} doors and {} people, who stand; rows cannot hold {} panes and emitters",
+        rows.doors, rows.people, rows.left));
     return std::move(rows.content);
 }
 
 /// Writes each landblock and each template to a file of SQL below a directory.
-Result<Exit> exportSql(const PlacedWorld& world, const std::filesystem::path& directory, const Console& console) {
+Result<Exit> exportSql(const PlacedWorld& world, const std::filesystem::path& directory,
+                       const Console& console) {
     const Result<placements::Content> content = contentOf(world, console);
     if (!content)
         return tl::unexpected(content.error());
@@ -40,7 +42,9 @@ Result<Exit> exportSql(const PlacedWorld& world, const std::filesystem::path& di
     const auto write = [&](const placements::SqlText& file) -> Result<void> {
         progress.step(++done);
         const std::filesystem::path path = directory / file.path;
-        return output::makeDirectory(path.parent_path()).and_then([&] { return output::writeFile(path, file.text); });
+        return output::makeDirectory(path.parent_path()).and_then([&] {
+            return output::writeFile(path, file.text);
+        });
     };
     for (const auto& [id, landblock] : content->landblocks) {
         if (console.interrupt().isRequested())
@@ -72,7 +76,8 @@ Result<Exit> exportJson(const PlacedWorld& world, const std::filesystem::path& p
         const Result<nlohmann::ordered_json> object = describePlaced(world, (*lines)[i].id);
         if (!object)
             return tl::unexpected(object.error());
-        text += (i > 0 ? ",\n" : "\n") + object->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+        text +=
+            (i > 0 ? ",\n" : "\n") + object->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
         progress.step(i + 1);
     }
     text += "\n]\n";
@@ -84,7 +89,9 @@ Result<Exit> exportJson(const PlacedWorld& world, const std::filesystem::path& p
 
 Result<Exit> runWorldExport(const WorldExportArguments& arguments, const Console& console) {
     const bool isSql = arguments.as == "sql";
-    const std::filesystem::path output = !arguments.output.empty() ? arguments.output : isSql ? "." : "world-objects.json";
+    const std::filesystem::path output = !arguments.output.empty() ? arguments.output
+                                         : isSql                   ? "."
+                                                                   : "world-objects.json";
     if (Result<void> ready = isSql ? output::makeDirectory(output) : output::checkWritable(output); !ready)
         return tl::unexpected(ready.error());
     const Result<PlacedWorld> world = openPlacedWorld(arguments.dat);
@@ -104,12 +111,14 @@ void addWorldExportVerb(CLI::App& world, const Console& console, Choice& choice)
     verb->add_option("--as", arguments->as, "write files of SQL in a directory, or one file of JSON (sql)")
         ->type_name("sql|json")
         ->check(oneOf({"sql", "json"}));
-    verb->add_option("-o,--output", arguments->output, "write this file or directory (., or world-objects.json)")
+    verb->add_option("-o,--output", arguments->output,
+                     "write this file or directory (., or world-objects.json)")
         ->type_name("PATH");
-    verb->footer("The files of SQL have the layout of the community's world database. A server executes them, and\n"
-                 "limen world import reads them.\n"
-                 "Examples:\n  limen world export --as json -o objects.json\n"
-                 "  limen world export --dat DIR -o sql");
+    verb->footer(
+        "The files of SQL have the layout of the community's world database. A server executes them, and\n"
+        "limen world import reads them.\n"
+        "Examples:\n  limen world export --as json -o objects.json\n"
+        "  limen world export --dat DIR -o sql");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runWorldExport(*arguments, console); };
     });

@@ -40,7 +40,8 @@ std::string sourceText(const std::vector<std::string>& sources) {
     for (const std::string& source : sources) {
         std::error_code ignored;
         const bool isUrl = placements::isServerUrl(source);
-        text += (text.empty() ? "" : ", ") + (isUrl ? source : std::filesystem::absolute(source, ignored).string());
+        text += (text.empty() ? "" : ", ") +
+                (isUrl ? source : std::filesystem::absolute(source, ignored).string());
     }
     return text;
 }
@@ -67,7 +68,8 @@ Result<placements::Content> readSources(const WorldImportArguments& arguments, c
     return placements::importSqlFiles({arguments.sources.begin(), arguments.sources.end()}, progress);
 }
 
-void report(const std::filesystem::path& path, const placements::WriteCounts& counts, const Console& console) {
+void report(const std::filesystem::path& path, const placements::WriteCounts& counts,
+            const Console& console) {
     const std::string all = fmt::format("{} placed objects, {} templates", groupedText(counts.placements),
                                         groupedText(counts.templates));
     if (counts.isUnchanged()) {
@@ -86,7 +88,8 @@ void report(const std::filesystem::path& path, const placements::WriteCounts& co
 
 Result<Exit> runWorldImport(const WorldImportArguments& arguments, const Console& console) {
     const auto isUrl = [](const std::string& source) { return placements::isServerUrl(source); };
-    if (arguments.sources.size() > 1 && std::any_of(arguments.sources.begin(), arguments.sources.end(), isUrl))
+    if (arguments.sources.size() > 1 &&
+        std::any_of(arguments.sources.begin(), arguments.sources.end(), isUrl))
         return fail(ErrorCode::BadArgument, "SOURCE", "a server is the only source; give one URL, or paths");
     const Result<std::filesystem::path> path = outputOf(arguments);
     if (!path)
@@ -96,14 +99,16 @@ Result<Exit> runWorldImport(const WorldImportArguments& arguments, const Console
     console.interrupt().defer();
     const Result<placements::Content> content = readSources(arguments, console);
     if (!content)
-        return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted) : tl::unexpected(content.error());
+        return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted)
+                                                 : tl::unexpected(content.error());
     const Result<placements::WriteCounts> counts = [&] {
         const Waiting waiting(console, "writing " + path->filename().string());
         return placements::writeWorldDb(*path, *content, {sourceText(arguments.sources), nowText()},
                                         [&] { return !console.interrupt().isRequested(); });
     }();
     if (!counts)
-        return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted) : tl::unexpected(counts.error());
+        return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted)
+                                                 : tl::unexpected(counts.error());
     report(*path, *counts, console);
     return Exit::Done;
 }
@@ -114,7 +119,8 @@ void addWorldImportVerb(CLI::App& world, const Console& console, Choice& choice)
     CLI::App* verb = world.add_subcommand("import", "write a world.db from the community's world database");
     const auto arguments = std::make_shared<WorldImportArguments>();
     verb->add_option("SOURCE", arguments->sources,
-                     "read these directories, archives or files of SQL, or this server; later paths replace earlier ones")
+                     "read these directories, archives or files of SQL, or this server; later paths replace "
+                     "earlier ones")
         ->required()
         ->type_name("")
         ->check(notEmpty());
@@ -123,12 +129,15 @@ void addWorldImportVerb(CLI::App& world, const Console& console, Choice& choice)
     verb->add_option("--option-file", arguments->optionFile,
                      "read user and password of the server from this option file of MySQL")
         ->type_name("FILE");
-    verb->footer("The files of the core come first, then those of the patches. A second import writes only the landblocks\n"
-                 "and templates that differ. A server is given as mariadb://USER@HOST/DATABASE or, for a socket, as\n"
-                 "mariadb://USER@/DATABASE?socket=PATH; the password is in the variable MYSQL_PWD or in an option file.\n"
-                 "The server is only read. Where world.db stands beside the dat files, every verb shows its objects.\n"
-                 "Examples:\n  limen world import core patches --dat DIR\n"
-                 "  limen world import mariadb://ann@localhost/ace_world -o world.db");
+    verb->footer(
+        "The files of the core come first, then those of the patches. A second import writes only the "
+        "landblocks\n"
+        "and templates that differ. A server is given as mariadb://USER@HOST/DATABASE or, for a socket, as\n"
+        "mariadb://USER@/DATABASE?socket=PATH; the password is in the variable MYSQL_PWD or in an option "
+        "file.\n"
+        "The server is only read. Where world.db stands beside the dat files, every verb shows its objects.\n"
+        "Examples:\n  limen world import core patches --dat DIR\n"
+        "  limen world import mariadb://ann@localhost/ace_world -o world.db");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runWorldImport(*arguments, console); };
     });

@@ -29,23 +29,22 @@ std::string cellText(const PlacedLine& line) {
 }
 
 std::string tableLine(const PlacedLine& line) {
-    return fmt::format("{:<12} {:<10} {:<10} {:<10} {:>9.2f} {:>9.2f} {:>8.2f}  {}\n", plain(line.id), line.type,
-                       line.origin, cellText(line), line.position.x, line.position.y, line.position.z,
-                       plain(line.name));
+    return fmt::format("{:<12} {:<10} {:<10} {:<10} {:>9.2f} {:>9.2f} {:>8.2f}  {}\n", plain(line.id),
+                       line.type, line.origin, cellText(line), line.position.x, line.position.y,
+                       line.position.z, plain(line.name));
 }
 
 std::string jsonLine(const PlacedLine& line) {
-    const nlohmann::ordered_json object{{"id", line.id},
-                                        {"type", line.type},
-                                        {"template", line.origin},
-                                        {"name", line.name},
-                                        {"cell", cellText(line)},
-                                        {"position", {line.position.x, line.position.y, line.position.z}}};
+    const nlohmann::ordered_json object{
+        {"id", line.id},           {"type", line.type},
+        {"template", line.origin}, {"name", line.name},
+        {"cell", cellText(line)},  {"position", {line.position.x, line.position.y, line.position.z}}};
     return object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 Result<Exit> runWorldList(const WorldListArguments& arguments, const Console& console) {
-    PlacedFilter filter{arguments.name, arguments.type, std::nullopt, static_cast<std::size_t>(arguments.limit)};
+    PlacedFilter filter{arguments.name, arguments.type, std::nullopt,
+                        static_cast<std::size_t>(arguments.limit)};
     if (!arguments.block.empty()) {
         constexpr std::uint32_t kGreatestBlock = 0xFFFF;
         const Result<dat::RecordId> block = parseRecordId("--block", arguments.block);
@@ -62,8 +61,8 @@ Result<Exit> runWorldList(const WorldListArguments& arguments, const Console& co
     if (lines->empty())
         console.note(fmt::format("limen: no such object is in {}", world->path.string()));
     else if (!arguments.json)
-        console.data(fmt::format("{:<12} {:<10} {:<10} {:<10} {:>9} {:>9} {:>8}  name\n", "id", "type", "template",
-                                 "cell", "x", "y", "z"));
+        console.data(fmt::format("{:<12} {:<10} {:<10} {:<10} {:>9} {:>9} {:>8}  name\n", "id", "type",
+                                 "template", "cell", "x", "y", "z"));
     for (const PlacedLine& line : *lines)
         console.data(arguments.json ? jsonLine(line) : tableLine(line));
     return Exit::Done;
@@ -94,7 +93,8 @@ void addWorldListVerb(CLI::App& world, const Console& console, Choice& choice) {
         ->type_name("PATH");
     verb->add_option("--name", arguments->name, "list only objects with this text in their name (all)")
         ->type_name("TEXT");
-    verb->add_option("--type", arguments->type, "list only objects of this type, e.g. door (all)")->type_name("TYPE");
+    verb->add_option("--type", arguments->type, "list only objects of this type, e.g. door (all)")
+        ->type_name("TYPE");
     verb->add_option("--block", arguments->block, "list only objects of this landblock, e.g. A9B4 (all)")
         ->type_name("XXYY");
     verb->add_option("--limit", arguments->limit, "list at most this number of objects (all)")
@@ -111,8 +111,9 @@ void addWorldListVerb(CLI::App& world, const Console& console, Choice& choice) {
 void addWorldShowVerb(CLI::App& world, const Console& console, Choice& choice) {
     CLI::App* verb = world.add_subcommand("show", "print one placed object, or one template, as JSON");
     const auto arguments = std::make_shared<WorldShowArguments>();
-    verb->add_option("ID", arguments->id,
-                     "print the object with this id, e.g. 0x7A9B4000, or the template with this number, e.g. 412")
+    verb->add_option(
+            "ID", arguments->id,
+            "print the object with this id, e.g. 0x7A9B4000, or the template with this number, e.g. 412")
         ->required()
         ->type_name("");
     verb->add_option("--dat", arguments->dat,

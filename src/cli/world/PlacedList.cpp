@@ -39,9 +39,8 @@ std::optional<std::uint32_t> numberOf(std::string_view text, int base) {
 
 bool contains(const std::string& text, const std::string& part) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-    return part.empty() || std::search(text.begin(), text.end(), part.begin(), part.end(), [&](char a, char b) {
-                               return lower(a) == lower(b);
-                           }) != text.end();
+    return part.empty() || std::search(text.begin(), text.end(), part.begin(), part.end(),
+                                       [&](char a, char b) { return lower(a) == lower(b); }) != text.end();
 }
 
 /// The number of the landblock that a global position is in.
@@ -59,8 +58,8 @@ Result<std::vector<PlacedLine>> linesOf(const placements::WorldDb& database, con
         if (!type)
             return fail(ErrorCode::BadArgument, "--type",
                         fmt::format("unknown type '{}'{}", filter.type,
-                                    suggestion(filter.type, {"generic", "portal", "creature", "vendor", "door",
-                                                             "chest", "lifestone", "switch"})));
+                                    suggestion(filter.type, {"generic", "portal", "creature", "vendor",
+                                                             "door", "chest", "lifestone", "switch"})));
     }
     constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
     const std::size_t limit = filter.limit == 0 || filter.block ? kAll : filter.limit;
@@ -70,9 +69,9 @@ Result<std::vector<PlacedLine>> linesOf(const placements::WorldDb& database, con
     std::vector<PlacedLine> lines;
     for (const placements::Found& one : *found)
         if (!filter.block || *filter.block == landblockOf(one.placement.spot))
-            lines.push_back({fmt::format("0x{:08X}", one.placement.guid), placements::typeName(one.type), one.name,
-                             std::to_string(one.placement.templateId), indoorCellOf(one.placement.spot),
-                             globalOf(one.placement.spot)});
+            lines.push_back({fmt::format("0x{:08X}", one.placement.guid), placements::typeName(one.type),
+                             one.name, std::to_string(one.placement.templateId),
+                             indoorCellOf(one.placement.spot), globalOf(one.placement.spot)});
     return lines;
 }
 
@@ -119,8 +118,9 @@ void putId(Json& object, const char* key, std::uint32_t id) {
 Json overridesOf(const Template& of) {
     Json lists = Json::object();
     for (const auto& change : of.palettes)
-        lists["palettes"].push_back(
-            {{"palette", fmt::format("0x{:08X}", change.palette)}, {"offset", change.offset}, {"length", change.length}});
+        lists["palettes"].push_back({{"palette", fmt::format("0x{:08X}", change.palette)},
+                                     {"offset", change.offset},
+                                     {"length", change.length}});
     for (const auto& change : of.textures)
         lists["textures"].push_back({{"part", change.part},
                                      {"from", fmt::format("0x{:08X}", change.from)},
@@ -141,7 +141,10 @@ Json overridesOf(const Template& of) {
 }
 
 Json jsonOf(const Template& of) {
-    Json object{{"template", of.id}, {"class", of.className}, {"type", placements::typeName(of.type)}, {"name", of.name}};
+    Json object{{"template", of.id},
+                {"class", of.className},
+                {"type", placements::typeName(of.type)},
+                {"name", of.name}};
     putId(object, "setup", of.setup);
     putId(object, "motion_table", of.motionTable);
     putId(object, "palette_base", of.paletteBase);
@@ -170,7 +173,8 @@ tl::unexpected<Error> absent(const std::string& id) {
                 "no object and no template has this id; list the objects with limen world list");
 }
 
-Result<Json> describeTemplate(const placements::WorldDb& database, std::uint32_t number, const std::string& id) {
+Result<Json> describeTemplate(const placements::WorldDb& database, std::uint32_t number,
+                              const std::string& id) {
     const Result<std::optional<Template>> of = database.findTemplate(number);
     if (!of)
         return tl::unexpected(of.error());
@@ -181,7 +185,8 @@ Result<Json> describeTemplate(const placements::WorldDb& database, std::uint32_t
 
 Result<Json> describe(const placements::WorldDb& database, const std::string& id) {
     const bool isGuid = id.starts_with("0x") || id.starts_with("0X");
-    const std::optional<std::uint32_t> number = numberOf(std::string_view(id).substr(isGuid ? 2 : 0), isGuid ? 16 : 10);
+    const std::optional<std::uint32_t> number =
+        numberOf(std::string_view(id).substr(isGuid ? 2 : 0), isGuid ? 16 : 10);
     if (!number)
         return absent(id);
     if (!isGuid)
@@ -192,7 +197,9 @@ Result<Json> describe(const placements::WorldDb& database, const std::string& id
     if (!*placement)
         return absent(id);
     const placements::Placement& found = **placement;
-    Json object{{"guid", fmt::format("0x{:08X}", found.guid)}, {"at", jsonOf(found.spot)}, {"is_link_child", found.isLinkChild}};
+    Json object{{"guid", fmt::format("0x{:08X}", found.guid)},
+                {"at", jsonOf(found.spot)},
+                {"is_link_child", found.isLinkChild}};
     const Result<Json> of = describeTemplate(database, found.templateId, id);
     object["template"] = of ? *of : Json(found.templateId);
     return object;

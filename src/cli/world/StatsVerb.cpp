@@ -31,7 +31,8 @@ Result<WorldStats> statsOf(const placements::WorldDb& database) {
     const Result<placements::Content> content = database.readAll();
     if (!origin || !content)
         return tl::unexpected(!origin ? origin.error() : content.error());
-    WorldStats stats{origin->source, origin->time, content->landblocks.size(), content->templates.size(), 0, {}};
+    WorldStats stats{
+        origin->source, origin->time, content->landblocks.size(), content->templates.size(), 0, {}};
     for (const auto& [id, landblock] : content->landblocks) {
         stats.links += landblock.links.size();
         for (const placements::Placement& placement : landblock.placements) {
@@ -55,8 +56,9 @@ WorldStats statsOf(const PlacedWorld& world) {
 std::string statsTable(const WorldStats& stats) {
     std::string text = fmt::format("source      {}\n", stats.source);
     if (!stats.time.empty())
-        text += fmt::format("imported    {}\nlandblocks  {:>9}\ntemplates   {:>9}\nlinks       {:>9}\n", stats.time,
-                            groupedText(stats.landblocks), groupedText(stats.templates), groupedText(stats.links));
+        text += fmt::format("imported    {}\nlandblocks  {:>9}\ntemplates   {:>9}\nlinks       {:>9}\n",
+                            stats.time, groupedText(stats.landblocks), groupedText(stats.templates),
+                            groupedText(stats.links));
     std::size_t total = 0;
     for (const auto& [type, count] : stats.byType)
         total += count;
@@ -67,9 +69,9 @@ std::string statsTable(const WorldStats& stats) {
 }
 
 std::string statsJson(const WorldStats& stats) {
-    const nlohmann::ordered_json object{{"source", stats.source},       {"imported", stats.time},
+    const nlohmann::ordered_json object{{"source", stats.source},         {"imported", stats.time},
                                         {"landblocks", stats.landblocks}, {"templates", stats.templates},
-                                        {"links", stats.links},         {"objects", stats.byType}};
+                                        {"links", stats.links},           {"objects", stats.byType}};
     return object.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

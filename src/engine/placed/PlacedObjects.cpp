@@ -33,12 +33,14 @@ void addGarment(const Template& of, std::optional<std::int32_t> palette, std::op
     if (of.clothingBase == 0)
         return;
     const std::int32_t colours = palette.value_or(of.paletteTemplate.value_or(0));
-    out.push_back({of.clothingBase, colours > 0 ? static_cast<std::uint32_t>(colours) : 0,
+    out.push_back({of.clothingBase,
+                   colours > 0 ? static_cast<std::uint32_t>(colours) : 0,
                    {shade.value_or(of.shade.value_or(0.0))}});
 }
 
 world::LookEntry lookOf(const Template& of) {
-    constexpr std::uint32_t kColours = 8, kWhole = 2048; // ranges count groups of eight; 0 is the whole palette
+    constexpr std::uint32_t kColours = 8,
+                            kWhole = 2048; // ranges count groups of eight; 0 is the whole palette
     world::LookEntry look;
     for (const placements::PaletteChange& change : of.palettes)
         look.colours.push_back({change.palette, change.offset * kColours,
@@ -118,7 +120,8 @@ Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::P
     return fault_;
 }
 
-Result<std::vector<world::PlacedEntry>> PlacedObjects::around(const dat::Archive& archive, dat::BlockCoord centre,
+Result<std::vector<world::PlacedEntry>> PlacedObjects::around(const dat::Archive& archive,
+                                                              dat::BlockCoord centre,
                                                               const world::LoadOptions& options) const {
     std::vector<world::PlacedEntry> entries;
     const int radius = world::isDungeon(archive, centre) ? 0 : std::clamp(options.radius, 0, 255);

@@ -15,8 +15,8 @@ public:
     explicit PlacedObjects(placements::WorldDb database) : database_(std::move(database)) {}
 
     /// The entries of the blocks that a load around `centre` reads with everything. Errors: a damaged database.
-    [[nodiscard]] Result<std::vector<world::PlacedEntry>> around(const dat::Archive& archive, dat::BlockCoord centre,
-                                                                 const world::LoadOptions& options) const;
+    [[nodiscard]] Result<std::vector<world::PlacedEntry>>
+    around(const dat::Archive& archive, dat::BlockCoord centre, const world::LoadOptions& options) const;
 
     [[nodiscard]] const placements::WorldDb& database() const { return database_; }
 
@@ -32,7 +32,8 @@ private:
 };
 
 /// An object as an entry for the loader. `find`: yields the templates of the things that it wears.
-[[nodiscard]] world::PlacedEntry placedEntry(const placements::Standing& standing, const placements::Template& of,
+[[nodiscard]] world::PlacedEntry placedEntry(const placements::Standing& standing,
+                                             const placements::Template& of,
                                              const placements::FindTemplate& find);
 
 } // namespace limen::engine

@@ -62,17 +62,20 @@ public:
     /// `yaw`: compass direction, degrees.
     void place(const Template& of, const Vec3& position, double yaw, dat::RecordId cell) {
         const dat::BlockCoord block = cell != 0 ? dat::blockOf(cell) : world::blockAt(position);
-        const std::uint32_t landblock = static_cast<std::uint32_t>(block.x) << 8 | static_cast<std::uint32_t>(block.y);
+        const std::uint32_t landblock =
+            static_cast<std::uint32_t>(block.x) << 8 | static_cast<std::uint32_t>(block.y);
         const Vec3 local = position - Vec3(block.x * world::kBlockSize, block.y * world::kBlockSize, 0.0);
         const double half = -yaw * std::numbers::pi / 360.0;
         placements::Landblock& rows = content_.landblocks[landblock];
-        const std::uint32_t guid = 0x70000000u | landblock << 12 | static_cast<std::uint32_t>(rows.placements.size());
-        rows.placements.push_back({guid,
-                                   of.id,
-                                   {cell != 0 ? cell : landblock << 16,
-                                    {static_cast<float>(local.x), static_cast<float>(local.y), static_cast<float>(local.z)},
-                                    {static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half))}},
-                                   false});
+        const std::uint32_t guid =
+            0x70000000u | landblock << 12 | static_cast<std::uint32_t>(rows.placements.size());
+        rows.placements.push_back(
+            {guid,
+             of.id,
+             {cell != 0 ? cell : landblock << 16,
+              {static_cast<float>(local.x), static_cast<float>(local.y), static_cast<float>(local.z)},
+              {static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half))}},
+             false});
     }
 
 private:
@@ -103,7 +106,8 @@ void addPerson(const world::VillagerEntry& person, const world::RouteEntry& rout
         item.clothingBase = garment.table;
         if (garment.palette != 0)
             item.paletteTemplate = static_cast<std::int32_t>(garment.palette);
-        items.push_back({placements::CreatedItem::kWield, item.id, 0, static_cast<float>(garment.shades.front())});
+        items.push_back(
+            {placements::CreatedItem::kWield, item.id, 0, static_cast<float>(garment.shades.front())});
     }
     Template& of = rows.addTemplate(person.name, TemplateType::Creature);
     of.setup = person.model;

@@ -62,6 +62,12 @@ Result<void> addPath(const fs::path& path, std::size_t source, std::vector<SqlFi
     });
 }
 
+/// Digits and a blank, as in "9 WeenieDefaults".
+bool isNumberedFolder(const std::string& name) {
+    const std::size_t digits = name.find_first_not_of("0123456789");
+    return digits != std::string::npos && digits > 0 && name[digits] == ' ';
+}
+
 /// Removes each file that one of a later path replaces.
 void removeReplaced(std::vector<SqlFile>& files) {
     std::map<std::string, std::size_t> lastSource;
@@ -91,11 +97,10 @@ Result<void> readFile(const fs::path& path, const SqlFile& file, const ReadSqlFi
 } // namespace
 
 std::string replacementKey(const std::string& name) {
-    std::string folder;
     const fs::path path(name);
     for (const fs::path& part : path.parent_path())
-        if (const std::string text = part.string(); !text.empty() && text[0] >= '0' && text[0] <= '9')
-            return text + "/" + path.filename().string();
+        if (isNumberedFolder(part.string()))
+            return part.string() + "/" + path.filename().string();
     return name;
 }
 

@@ -50,8 +50,8 @@ std::vector<ModelPart> BodyAssembler::partsOf(const Model& model, bool nearestOn
     return parts;
 }
 
-void BodyAssembler::addCycles(dat::RecordId model, dat::RecordId motionTable, std::span<const PosedPart> posed,
-                              MovingBody& body) {
+void BodyAssembler::addCycles(dat::RecordId model, dat::RecordId motionTable,
+                              std::span<const PosedPart> posed, MovingBody& body) {
     LIMEN_ASSERT(posed.size() == body.partCount, "one pose for each part");
     body.cycles = cycles_.of(model, motionTable);
     if (std::all_of(body.cycles.begin(), body.cycles.end(), [](std::uint32_t c) { return c == kNone; }))

@@ -57,7 +57,8 @@ PlaneRect rectOf(const DoorBox& box, const PlaneAxes& axes) {
     for (int corner = 0; corner < 8; ++corner) {
         Vec3 p = box.centre;
         for (int axis = 0; axis < 3; ++axis)
-            p += box.axes[static_cast<std::size_t>(axis)] * box.half[axis] * ((corner >> axis & 1) != 0 ? 1.0 : -1.0);
+            p += box.axes[static_cast<std::size_t>(axis)] * box.half[axis] *
+                 ((corner >> axis & 1) != 0 ? 1.0 : -1.0);
         rect.add(inPlane(axes, p));
     }
     return rect;
@@ -131,8 +132,9 @@ double coveredShare(const World& world, const Portal& portal, std::span<const Ve
             continue;
         ++inside;
         for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
-            if (containsPoint({inPlane(axes, corners[t]), inPlane(axes, corners[t + 1]), inPlane(axes, corners[t + 2])},
-                              at)) {
+            if (containsPoint(
+                    {inPlane(axes, corners[t]), inPlane(axes, corners[t + 1]), inPlane(axes, corners[t + 2])},
+                    at)) {
                 ++covered;
                 break;
             }

@@ -11,9 +11,10 @@ std::uint32_t IdleAssembler::add(const PlacedModel& object, const ObjectSite& si
         return kNone;
     const std::size_t parts = world_.movingParts.size(), posed = world_.posedParts.size();
     IdleObject idle;
-    idle.body = bodies_.add(object.model, object.kind, object.object, {.scale = object.scale,
-                           .dress = object.dress != nullptr ? *object.dress : Dress(),
-                           .motionTable = object.motionTable});
+    idle.body = bodies_.add(object.model, object.kind, object.object,
+                            {.scale = object.scale,
+                             .dress = object.dress != nullptr ? *object.dress : Dress(),
+                             .motionTable = object.motionTable});
     const bool rests = cycle == kNone || isAtRest(world_, idle.body, cycle);
     if (idle.body.partCount == 0 || (rests && spin == Vec3(0.0) && !isFaded)) {
         world_.movingParts.resize(parts);

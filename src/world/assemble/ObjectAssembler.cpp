@@ -37,8 +37,8 @@ void ObjectAssembler::addObject(const PlacedModel& object, const ObjectSite& sit
         addStatic(object, model, placedSphere(model.bounds, linear, origin), site);
     particles_.addToObject(object, idle, site);
     for (const ModelLight& light : model.lights)
-        lamps_.push_back({{origin + linear * light.position, light.colour, light.intensity, light.falloff},
-                          site.space});
+        lamps_.push_back(
+            {{origin + linear * light.position, light.colour, light.intensity, light.falloff}, site.space});
 }
 
 void ObjectAssembler::addStatic(const PlacedModel& object, const Model& model, const Sphere& bounds,

@@ -27,8 +27,8 @@ Dress dressOf(const PlacedEntry& entry, Records& records) {
     return dress;
 }
 
-PlacedAssembler::PlacedAssembler(std::span<const PlacedEntry> entries, Records& records, ObjectAssembler& objects,
-                                 World& world)
+PlacedAssembler::PlacedAssembler(std::span<const PlacedEntry> entries, Records& records,
+                                 ObjectAssembler& objects, World& world)
     : records_(records), objects_(objects), world_(world) {
     for (const PlacedEntry& entry : entries)
         entries_.push_back(&entry);
@@ -40,8 +40,9 @@ PlacedAssembler::PlacedAssembler(std::span<const PlacedEntry> entries, Records& 
 std::optional<std::uint32_t> PlacedAssembler::localCell(const PlacedEntry& entry, const BlockContent& block) {
     if (entry.cell == 0)
         return kOutdoorSpace;
-    const auto found = std::lower_bound(block.cells.begin(), block.cells.end(), entry.cell,
-                                        [](const CellContent& cell, dat::RecordId id) { return cell.id < id; });
+    const auto found =
+        std::lower_bound(block.cells.begin(), block.cells.end(), entry.cell,
+                         [](const CellContent& cell, dat::RecordId id) { return cell.id < id; });
     if (found == block.cells.end() || found->id != entry.cell)
         return std::nullopt;
     return static_cast<std::uint32_t>(found - block.cells.begin());
@@ -118,8 +119,9 @@ void PlacedAssembler::addDoors(PlacedDoorAssembler& doors) {
     for (const WaitingDoor& waiting : waiting_) {
         if (world_.placed[waiting.placed].isHung)
             continue;
-        world_.findings.push_back({waiting.entry->model, "world.db: the door \"" + waiting.entry->name +
-                                                             "\" stands before no opening: it does not open"});
+        world_.findings.push_back(
+            {waiting.entry->model, "world.db: the door \"" + waiting.entry->name +
+                                       "\" stands before no opening: it does not open"});
         addThing(*waiting.entry, waiting.site);
     }
     waiting_.clear();

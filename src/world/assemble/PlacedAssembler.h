@@ -12,7 +12,8 @@ namespace limen::world {
 /// Adds the objects of a world database to a World: things with the block that they belong to, doors after all blocks.
 class PlacedAssembler {
 public:
-    PlacedAssembler(std::span<const PlacedEntry> entries, Records& records, ObjectAssembler& objects, World& world);
+    PlacedAssembler(std::span<const PlacedEntry> entries, Records& records, ObjectAssembler& objects,
+                    World& world);
 
     /// Adds the things of a block, and keeps its doors for addDoors(). An object in a cell that the block lacks is left out,
     /// with a finding.
@@ -28,7 +29,8 @@ private:
         std::uint32_t placed = kNone; ///< index into World::placed
     };
     /// The index of a cell in its block, or kOutdoorSpace; none if the block lacks the cell.
-    [[nodiscard]] static std::optional<std::uint32_t> localCell(const PlacedEntry& entry, const BlockContent& block);
+    [[nodiscard]] static std::optional<std::uint32_t> localCell(const PlacedEntry& entry,
+                                                                const BlockContent& block);
     void addThing(const PlacedEntry& entry, const ObjectSite& site);
     /// The entry's position in the frame of a block.
     [[nodiscard]] Vec3 localPosition(const PlacedEntry& entry, const Vec3& blockOrigin) const;

@@ -13,12 +13,14 @@ constexpr double kThinnest = 0.004; // metres: a thinner leaf is in the plane of
 constexpr double kMoved = 0.001;    // metres: a door so near to its opening stays where it is
 
 LeafKey placedKey(const PlacedEntry& entry, const Pose& pose) {
-    return {entry.orientation * pose.orientation, entry.position + entry.orientation * (pose.origin * entry.scale)};
+    return {entry.orientation * pose.orientation,
+            entry.position + entry.orientation * (pose.origin * entry.scale)};
 }
 
 } // namespace
 
-std::vector<PlacedDoorAssembler::Part> PlacedDoorAssembler::partsOf(const PlacedEntry& entry, double& seconds) {
+std::vector<PlacedDoorAssembler::Part> PlacedDoorAssembler::partsOf(const PlacedEntry& entry,
+                                                                    double& seconds) {
     const dat::Setup* setup = isSetup(entry.model) ? records_.setup(entry.model) : nullptr;
     DoorMotion motion;
     if (setup != nullptr)

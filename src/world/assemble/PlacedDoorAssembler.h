@@ -11,7 +11,8 @@ namespace limen::world {
 /// its portals are final.
 class PlacedDoorAssembler {
 public:
-    PlacedDoorAssembler(Records& records, Models& models, DoorAssembler& doors, BodyAssembler& bodies, World& world)
+    PlacedDoorAssembler(Records& records, Models& models, DoorAssembler& doors, BodyAssembler& bodies,
+                        World& world)
         : records_(records), models_(models), doors_(doors), bodies_(bodies), world_(world) {}
 
     /// Adds a door; a second one in the same opening adds its leaves to the first. An opaque door shuts its opening if its

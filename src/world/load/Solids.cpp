@@ -69,7 +69,8 @@ public:
         const Membership membership(world_);
         offset_ = -out_.origin;
         for (const PlacedObject& placed : world_.placed) {
-            const bool isNear = std::find(blocks.begin(), blocks.end(), blockAt(placed.origin)) != blocks.end();
+            const bool isNear =
+                std::find(blocks.begin(), blocks.end(), blockAt(placed.origin)) != blocks.end();
             if (!placed.stopsBodies || placed.isHung || !isNear)
                 continue;
             std::vector<SpaceIndex> members;

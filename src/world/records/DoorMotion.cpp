@@ -49,10 +49,12 @@ public:
                 continue;
             const auto last = static_cast<std::int64_t>(animation->frames.size()) - 1;
             const std::int64_t low = std::clamp<std::int64_t>(range.low, 0, last);
-            const std::int64_t high = range.high == -1 ? last : std::clamp<std::int64_t>(range.high, low, last);
+            const std::int64_t high =
+                range.high == -1 ? last : std::clamp<std::int64_t>(range.high, low, last);
             const bool isForward = !(range.fps < 0.0f);
             for (std::int64_t i = 0; i <= high - low && keys.size() < kMostKeys; ++i)
-                keys.push_back(keyOf(animation->frames[static_cast<std::size_t>(isForward ? low + i : high - i)]));
+                keys.push_back(
+                    keyOf(animation->frames[static_cast<std::size_t>(isForward ? low + i : high - i)]));
             const double rate = std::abs(static_cast<double>(range.fps));
             if (rate > 0.0 && std::isfinite(rate))
                 seconds += static_cast<double>(high - low + 1) / rate;
@@ -90,7 +92,8 @@ DoorMotion doorMotionOf(const dat::Setup& setup, dat::RecordId motionTable, Reco
         const std::uint32_t off = dat::motionKey(table->defaultStyle, kSubstateOff);
         const auto* links = findValue(table->links, off);
         const dat::MotionData* shut = findValue(table->cycles, off);
-        const dat::MotionData* open = findValue(table->cycles, dat::motionKey(table->defaultStyle, kSubstateOn));
+        const dat::MotionData* open =
+            findValue(table->cycles, dat::motionKey(table->defaultStyle, kSubstateOn));
         const dat::MotionData* link = links != nullptr ? findValue(*links, kSubstateOn) : nullptr;
         std::vector<Key> ends[2];
         if (shut != nullptr)

@@ -32,7 +32,8 @@ dat::RecordId addSwing(ModelWriter& writer, double swing) {
     table.defaultStyle = kNonCombat;
     table.styleDefaults = {{kNonCombat, kOff}};
     const std::uint32_t off = dat::motionKey(kNonCombat, kOff), on = dat::motionKey(kNonCombat, kOn);
-    table.cycles = {{off, framesOf(animation, 0, 0)}, {on, framesOf(animation, kFramesOfASwing, kFramesOfASwing)}};
+    table.cycles = {{off, framesOf(animation, 0, 0)},
+                    {on, framesOf(animation, kFramesOfASwing, kFramesOfASwing)}};
     table.links = {{off, {{kOn, framesOf(animation, 1, kFramesOfASwing)}}}};
     return writer.addMotionTable(std::move(table));
 }
