@@ -1,6 +1,7 @@
 #include "placements/ContentBuilder.h"
 
 #include "core/Assert.h"
+#include "placements/sql/Text.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -295,7 +296,7 @@ Result<void> ContentBuilder::remove(const Table& table, std::string_view column,
         removeInstance(key);
         return {};
     }
-    return refuse(fmt::format("cannot remove rows of {} by {}", table.name, column));
+    return refuse(fmt::format("cannot remove rows of {} by {}", table.name, printable(column)));
 }
 
 void ContentBuilder::removeTemplate(std::uint32_t id) {

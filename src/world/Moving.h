@@ -4,6 +4,7 @@
 #include "geometry/Bounds.h"
 #include "world/Cycle.h"
 #include "world/Index.h"
+#include "world/PlacedEntry.h"
 
 #include <cstdint>
 #include <string>
@@ -129,6 +130,7 @@ struct IdleObject {
 /// An object of a world database that is in the world: drawn by its instances, its idle object or its door.
 struct PlacedObject {
     std::uint64_t object = 0; ///< the identity of its instances
+    std::uint32_t templateId = 0;
     std::string name;
     dat::RecordId model = 0;
     Vec3 origin{0.0}; ///< global
@@ -136,7 +138,9 @@ struct PlacedObject {
     double scale = 1.0;
     SpaceIndex space = kOutside;
     bool stopsBodies = true;
-    bool isHung = false; ///< a door in its opening; its leaves stop bodies
+    bool isHung = false;               ///< a door in its opening; its leaves stop bodies
+    std::optional<TravelEntry> travel; ///< of a travel portal
+    friend bool operator==(const PlacedObject&, const PlacedObject&) = default;
 };
 
 /// A static object whose membership depends on the state of doors.

@@ -3,6 +3,7 @@
 #include "dat/Ids.h"
 #include "geometry/Vec.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,14 @@ struct LookEntry {
     std::vector<Part> parts;
 };
 
+/// The place that a travel portal leads to.
+struct TravelEntry {
+    dat::RecordId cell = 0; ///< 0: outside
+    Vec3 feet{0.0};         ///< global
+    double yaw = 0.0;       ///< compass direction, degrees
+    friend bool operator==(const TravelEntry&, const TravelEntry&) = default;
+};
+
 /// An object that a world database places, with everything that its look needs (docs/placements.md).
 struct PlacedEntry {
     enum class Kind : std::uint8_t {
@@ -43,7 +52,8 @@ struct PlacedEntry {
         Door   ///< opens and shuts, in the opening that it stands before
     };
     Kind kind = Kind::Thing;
-    std::uint64_t id = 0;                     ///< unique in the world, below 2^56
+    std::uint64_t id = 0;         ///< unique in the world, below 2^56
+    std::uint32_t templateId = 0; ///< for people
     std::string name;                         ///< unique in the world
     dat::RecordId model = 0, motionTable = 0; ///< motionTable 0: that of the Setup
     dat::RecordId cell = 0;                   ///< 0: outside
@@ -58,6 +68,7 @@ struct PlacedEntry {
     std::vector<ClothingEntry> clothing; ///< later entries cover earlier ones
     dat::RecordId basePalette = 0;       ///< of all indexed pictures; 0: each has its own
     LookEntry look;
+    std::optional<TravelEntry> travel; ///< of a travel portal
 };
 
 } // namespace limen::world

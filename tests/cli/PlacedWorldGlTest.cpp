@@ -102,6 +102,25 @@ TEST_F(PlacedWorld, namesItsDoors) {
     EXPECT_EQ(unknown.exit, 2);
 }
 
+TEST_F(PlacedWorld, isComparedWithTheDatFiles) {
+    const ProgramRun run = runner_.run({"world", "stats", "--dat", "rows", "--resolve", "--json"});
+    ASSERT_EQ(run.exit, 0) << run.err;
+    const Json compared = Json::parse(run.out)["compared"];
+    EXPECT_EQ(compared["drawn"], 20);
+    EXPECT_EQ(compared["doors"], 13);
+    EXPECT_EQ(compared["doors_in_an_opening"], 13);
+    EXPECT_TRUE(compared["unresolved"].empty()) << compared;
+    putText(work() / "odd.sql",
+            "INSERT INTO weenie VALUES (1, 'a', 19, ''), (2, 'b', 10, '');\n"
+            "INSERT INTO weenie_properties_d_i_d VALUES (1, 1, 1, 0x02000150), (2, 2, 1, 0x0200FFFF), (3, 2, 2, 0x0900FFFF);\n"
+            "INSERT INTO landblock_instance VALUES (1, 1, 0xA9B40001, 1, 1, 50, 1, 0, 0, 0, False, ''), "
+            "(2, 2, 0xA9B4FF00, 1, 1, 50, 1, 0, 0, 0, False, '');\n");
+    expectDone(runner_.run({"world", "import", "odd.sql", "--dat", "rows"}));
+    const ProgramRun odd = runner_.run({"world", "stats", "--dat", "rows", "--resolve"});
+    for (const char* reason : {"1  its Setup is not", "1  its MotionTable is not", "1  its cell is not", "1  the door stands before no opening"})
+        EXPECT_THAT(odd.out, HasSubstr(reason));
+}
+
 TEST_F(PlacedWorld, aDamagedDatabaseIsOneLine) {
     putText(work() / "rows/world.db", "SQLite format 3 and then nothing");
     const ProgramRun run =

@@ -270,6 +270,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"DeleteAll", "DELETE FROM `weenie`;", "f.sql:1: expected WHERE, found ';'"},
         Fault{"DeleteByName", "DELETE FROM `weenie` WHERE `class_Name` = 5;",
               "f.sql:1: cannot remove rows of weenie by class_Name"},
+        Fault{"DeleteByOddName", "DELETE FROM `weenie` WHERE `a\nb` = 5;",
+              "f.sql:2: cannot remove rows of weenie by a b"},
         Fault{"Variable", "INSERT INTO weenie (class_Id, class_Name, type) VALUES (@id, 'a', 1);",
               "f.sql:1: the value of weenie.class_Id is not an integer"},
         Fault{"ControlCharacters",

@@ -8,6 +8,35 @@ namespace limen::test {
 
 inline constexpr std::uint32_t kSubstateOn = 0x4000000B, kSubstateOff = 0x4000000C;
 
+/// Adds a motion table that turns part 0 by `swing` degrees, clockwise seen from above, in 30 frames of one second in all.
+inline std::uint32_t addSwingTable(TestWorld& source, std::uint32_t id, std::uint32_t animationId, double swing) {
+    constexpr int kFrames = 30;
+    const auto motion = [&](int low, int high) {
+        dat::MotionData data;
+        data.animations = {{animationId, low, high, 30.0f}};
+        return data;
+    };
+    dat::Animation animation;
+    animation.id = animationId;
+    animation.partCount = 1;
+    for (int i = 0; i <= kFrames; ++i) {
+        const double half = -swing * i / kFrames * std::numbers::pi / 360.0;
+        const Quatf turn(static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half)));
+        animation.frames.push_back({{{Vec3f(0.0f), turn}}, {}});
+    }
+    source.portalFile().add(animation);
+    dat::MotionTable table;
+    table.id = id;
+    table.defaultStyle = kPuppetStyle;
+    table.styleDefaults = {{kPuppetStyle, kSubstateOff}};
+    const std::uint32_t off = dat::motionKey(kPuppetStyle, kSubstateOff),
+                        on = dat::motionKey(kPuppetStyle, kSubstateOn);
+    table.cycles = {{off, motion(0, 0)}, {on, motion(kFrames, kFrames)}};
+    table.links = {{off, {{kSubstateOn, motion(1, kFrames)}}}};
+    source.portalFile().add(table);
+    return id;
+}
+
 /// The moving hut whose opaque doors come from a world database in place of world.json. Their Setup has one part, the
 /// leaf; their motion tables turn it about the hinge as `swing` degrees of world.json do.
 struct PlacedHut {
@@ -22,24 +51,8 @@ struct PlacedHut {
         counterClockwise = addTable(0x09000102, 0x03000102, -90.0);
     }
 
-    /// A motion table that turns part 0 by `swing` degrees, clockwise seen from above, in 30 frames of one second in all.
     std::uint32_t addTable(std::uint32_t id, std::uint32_t animationId, double swing) {
-        dat::Animation animation;
-        animation.id = animationId;
-        animation.partCount = 1;
-        for (int i = 0; i <= kFrames; ++i)
-            animation.frames.push_back({{turned(swing * i / kFrames)}, {}});
-        hut.source.portalFile().add(animation);
-        dat::MotionTable table;
-        table.id = id;
-        table.defaultStyle = kPuppetStyle;
-        table.styleDefaults = {{kPuppetStyle, kSubstateOff}};
-        const std::uint32_t off = dat::motionKey(kPuppetStyle, kSubstateOff),
-                            on = dat::motionKey(kPuppetStyle, kSubstateOn);
-        table.cycles = {{off, motion(animationId, 0, 0)}, {on, motion(animationId, kFrames, kFrames)}};
-        table.links = {{off, {{kSubstateOn, motion(animationId, 1, kFrames)}}}};
-        hut.source.portalFile().add(table);
-        return id;
+        return addSwingTable(hut.source, id, animationId, swing);
     }
 
     /// A door whose hinge is at a block-local position, with its leaf along +y.
@@ -70,19 +83,6 @@ struct PlacedHut {
         hut.moving.placed.push_back(door(1, {10, 11, 2}, counterClockwise)); // front
         hut.moving.placed.push_back(door(2, {14, 11, 2}, clockwise));        // inner
         std::erase_if(hut.moving.doors, [](const world::DoorEntry& entry) { return entry.opaque; });
-    }
-
-private:
-    static constexpr int kFrames = 30;
-    static dat::Frame turned(double degrees) {
-        const double half = -degrees * std::numbers::pi / 360.0;
-        return {Vec3f(0.0f),
-                Quatf(static_cast<float>(std::cos(half)), 0.0f, 0.0f, static_cast<float>(std::sin(half)))};
-    }
-    static dat::MotionData motion(std::uint32_t animation, int low, int high) {
-        dat::MotionData data;
-        data.animations = {{animation, low, high, 30.0f}};
-        return data;
     }
 };
 

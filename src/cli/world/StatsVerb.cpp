@@ -1,11 +1,14 @@
 #include "cli/world/PlacedWorld.h"
 #include "cli/world/WorldVerbs.h"
+#include "cli/OpenWorld.h"
 #include "core/NumberText.h"
+#include "engine/placed/PlacedHealth.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <map>
 #include <memory>
+#include <optional>
 #include <nlohmann/json.hpp>
 
 namespace limen::cli {
@@ -13,7 +16,7 @@ namespace {
 
 struct WorldStatsArguments {
     std::string dat;
-    bool json = false;
+    bool json = false, resolve = false;
 };
 
 /// Counts in the order of their names.
@@ -24,6 +27,7 @@ struct WorldStats {
     std::string source, time;
     std::size_t landblocks = 0, templates = 0, links = 0;
     Counts byType;
+    std::optional<engine::PlacedHealth> health; ///< where it was asked for
 };
 
 Result<WorldStats> statsOf(const placements::WorldDb& database) {
@@ -65,23 +69,59 @@ std::string statsTable(const WorldStats& stats) {
     text += fmt::format("objects     {:>9}\n", groupedText(total));
     for (const auto& [type, count] : stats.byType)
         text += fmt::format("  {:<18} {:>9}\n", type, groupedText(count));
+    if (stats.health) {
+        text += fmt::format("drawn       {:>9}\ndoors       {:>9}, {} in an opening\n", groupedText(stats.health->visible),
+                            groupedText(stats.health->doors), groupedText(stats.health->hungDoors));
+        for (const auto& [reason, names] : stats.health->unresolved)
+            text += fmt::format("  {:>9}  {}\n", groupedText(names.size()), reason);
+    }
     return text;
 }
 
 std::string statsJson(const WorldStats& stats) {
-    const nlohmann::ordered_json object{{"source", stats.source},         {"imported", stats.time},
+    nlohmann::ordered_json object{{"source", stats.source},         {"imported", stats.time},
                                         {"landblocks", stats.landblocks}, {"templates", stats.templates},
                                         {"links", stats.links},           {"objects", stats.byType}};
+    if (stats.health)
+        object["compared"] = {{"drawn", stats.health->visible},
+                              {"doors", stats.health->doors},
+                              {"doors_in_an_opening", stats.health->hungDoors},
+                              {"unresolved", stats.health->unresolved}};
     return object.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+/// Compares the world.db of a directory with the dat files there.
+Result<engine::PlacedHealth> healthOf(const std::string& dat, const Console& console) {
+    const Result<engine::WorldSource> source = openWorld(console, dat, engine::PlaceSearch::Skip);
+    if (!source)
+        return tl::unexpected(source.error());
+    if (source->placed == nullptr)
+        return fail(ErrorCode::NotFound, source->archive.directory().string(),
+                    "no world.db is beside the dat files; write one with limen world import");
+    console.interrupt().defer();
+    std::unique_ptr<Progress> bar;
+    return engine::placedHealth(*source->placed, source->archive, [&](std::size_t done, std::size_t total) {
+        if (bar == nullptr)
+            bar = std::make_unique<Progress>(console, "comparing", total);
+        bar->step(done);
+        return !console.interrupt().isRequested();
+    });
 }
 
 Result<Exit> runWorldStats(const WorldStatsArguments& arguments, const Console& console) {
     const Result<PlacedWorld> world = openPlacedWorld(arguments.dat);
     if (!world)
         return tl::unexpected(world.error());
-    const Result<WorldStats> stats = world->database != nullptr ? statsOf(*world->database) : statsOf(*world);
+    Result<WorldStats> stats = world->database != nullptr ? statsOf(*world->database) : statsOf(*world);
     if (!stats)
         return tl::unexpected(stats.error());
+    if (arguments.resolve) {
+        Result<engine::PlacedHealth> health = healthOf(arguments.dat, console);
+        if (!health)
+            return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted)
+                                                     : tl::unexpected(health.error());
+        stats->health = std::move(*health);
+    }
     console.data(arguments.json ? statsJson(*stats) : statsTable(*stats));
     return Exit::Done;
 }
@@ -95,7 +135,10 @@ void addWorldStatsVerb(CLI::App& world, const Console& console, Choice& choice) 
                      "read the world.db or world.json of this directory, or this file (the built-in world)")
         ->type_name("PATH");
     verb->add_flag("--json", arguments->json, "print one JSON object");
-    verb->footer("Examples:\n  limen world stats\n  limen world stats --dat DIR --json");
+    verb->add_flag("--resolve", arguments->resolve,
+                   "compare world.db with the dat files beside it: missing records, and doors without an opening");
+    verb->footer("--resolve loads each landblock with doors. With --json it lists the names of all unresolved objects.\n"
+                 "Examples:\n  limen world stats\n  limen world stats --dat DIR --json");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runWorldStats(*arguments, console); };
     });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace limen::engine {
 namespace {
@@ -19,6 +20,22 @@ Quat orientationOf(const placements::Spot& spot) {
                  static_cast<double>(spot.angles[2]), static_cast<double>(spot.angles[3]));
     const double length = glm::length(q);
     return length > 1e-6 && std::isfinite(length) ? q / length : Quat(1.0, 0.0, 0.0, 0.0);
+}
+
+dat::RecordId indoorCellOf(const placements::Spot& spot) {
+    return (spot.cell & 0xFFFF) >= kFirstIndoors ? spot.cell : 0;
+}
+
+Vec3 globalOf(const placements::Spot& spot) {
+    const dat::BlockCoord block = dat::blockOf(spot.cell);
+    return Vec3(block.x * world::kBlockSize, block.y * world::kBlockSize, 0.0) +
+           Vec3(static_cast<double>(spot.origin[0]), static_cast<double>(spot.origin[1]),
+                static_cast<double>(spot.origin[2]));
+}
+
+world::TravelEntry travelOf(const placements::Spot& spot) {
+    const Vec3 ahead = orientationOf(spot) * Vec3(0.0, 1.0, 0.0); // +y is north
+    return {indoorCellOf(spot), globalOf(spot), std::atan2(ahead.x, ahead.y) * 180.0 / std::numbers::pi};
 }
 
 double scaleOf(const Template& of) {
@@ -66,15 +83,14 @@ world::PlacedEntry placedEntry(const placements::Standing& standing, const Templ
     const bool isDoor = of.type == static_cast<std::int32_t>(TemplateType::Door);
     entry.kind = isDoor ? world::PlacedEntry::Kind::Door : world::PlacedEntry::Kind::Thing;
     entry.id = standing.id;
+    entry.templateId = standing.templateId;
     entry.name = fmt::format("{} {:08X}", of.name.empty() ? of.className : of.name, standing.id);
     entry.model = of.setup;
     entry.motionTable = of.motionTable;
     const placements::Spot& spot = standing.spot;
-    entry.cell = (spot.cell & 0xFFFF) >= kFirstIndoors ? spot.cell : 0;
+    entry.cell = indoorCellOf(spot);
     entry.block = dat::blockOf(spot.cell);
-    entry.position = Vec3(entry.block.x * world::kBlockSize, entry.block.y * world::kBlockSize, 0.0) +
-                     Vec3(static_cast<double>(spot.origin[0]), static_cast<double>(spot.origin[1]),
-                          static_cast<double>(spot.origin[2]));
+    entry.position = globalOf(spot);
     entry.orientation = orientationOf(spot);
     entry.scale = scaleOf(of);
     entry.opacity = 1.0 - std::clamp(of.translucency.value_or(0.0), 0.0, 1.0);
@@ -92,6 +108,8 @@ world::PlacedEntry placedEntry(const placements::Standing& standing, const Templ
     }
     entry.basePalette = of.paletteBase;
     entry.look = lookOf(of);
+    if (of.destination && of.type == static_cast<std::int32_t>(TemplateType::Portal))
+        entry.travel = travelOf(*of.destination);
     return entry;
 }
 

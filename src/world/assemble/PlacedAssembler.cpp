@@ -67,6 +67,8 @@ std::uint32_t PlacedAssembler::note(const PlacedEntry& entry, const ObjectSite& 
     placed.scale = entry.scale;
     placed.space = site.space;
     placed.stopsBodies = entry.stopsBodies;
+    placed.templateId = entry.templateId;
+    placed.travel = entry.travel;
     world_.placed.push_back(std::move(placed));
     return static_cast<std::uint32_t>(world_.placed.size() - 1);
 }
