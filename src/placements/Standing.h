@@ -9,7 +9,7 @@ namespace limen::placements {
 /// An object that stands in the world at its start: a placed one, or one that a generator has made.
 struct Standing {
     std::uint64_t id =
-        0; ///< unique in the world, below 2^48: the guid, and above it the number of what a generator made
+        0; ///< unique in the world, below 2^48: the guid, and above it the number of a made object
     std::uint32_t templateId = 0;
     Spot spot;
     bool isScattered = false;            ///< near a generator: outdoors, its height is that of the ground

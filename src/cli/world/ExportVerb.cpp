@@ -24,7 +24,7 @@ Result<placements::Content> contentOf(const PlacedWorld& world, const Console& c
         return world.database->readAll();
     engine::WorldFileRows rows = engine::rowsOf(*world.file);
     console.note(fmt::format(
-        "limen: rows for {} doors and {} people, who stand; rows cannot hold {} panes and emitters",
+        "limen: rows for {} doors and {} standing people; rows cannot hold {} panes and emitters",
         rows.doors, rows.people, rows.left));
     return std::move(rows.content);
 }

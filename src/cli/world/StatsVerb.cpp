@@ -27,7 +27,7 @@ struct WorldStats {
     std::string source, time;
     std::size_t landblocks = 0, templates = 0, links = 0;
     Counts byType;
-    std::optional<engine::PlacedHealth> health; ///< where it was asked for
+    std::optional<engine::PlacedHealth> health{}; ///< where it was asked for
 };
 
 Result<WorldStats> statsOf(const placements::WorldDb& database) {

@@ -2,7 +2,7 @@
 
 #include "placements/Placements.h"
 
-// Hashes of content, by which a second import finds what changed. They depend on every member.
+// Hashes of content. A second import compares them. They depend on every member.
 namespace limen::placements {
 
 [[nodiscard]] std::uint64_t hashOf(const Landblock& landblock);
