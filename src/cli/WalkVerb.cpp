@@ -90,10 +90,10 @@ void addWalkVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--chase", options->foot.chase, "use the third-person camera");
     verb->add_flag("--run", options->foot.run, "run instead of walking");
     addSessionOptions(*verb, options->session);
-    verb->footer(
-        "Walks straight between way points and opens doors. If there is no way on foot, jumps to the next\n"
-        "named place at a way point. Draws nothing and needs no driver.\n"
-        "Examples:\n  limen walk -o tour.walk\n  limen walk --run --chase -o tour.walk");
+    verb->footer("Walks straight between way points, opens doors and goes around obstacles. If there is no "
+                 "way on foot,\n"
+                 "jumps to the next named place at a way point. Draws nothing and needs no driver.\n"
+                 "Examples:\n  limen walk -o tour.walk\n  limen walk --run --chase -o tour.walk");
     verb->callback([&console, &choice, options] {
         choice.run = [&console, options] { return runWalk(*options, console); };
     });

@@ -4,6 +4,7 @@
 #include "engine/report/DecisionHash.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -17,14 +18,15 @@ constexpr double kLevel = 1.0;         // largest vertical distance to a reached
 constexpr double kTurningPace = 240.0; // degrees a second, yaw
 constexpr double kNod = 60.0;          // degrees a second, pitch
 constexpr double kAhead = 40.0;        // degrees off the heading: beyond this the body turns before it walks
-constexpr double kPatience = 1.5;      // seconds without progress before the walker gives up
-constexpr double kSwing = 1.5;         // seconds for a door to swing and for the body to return to it
-constexpr double kBack = 0.5;          // seconds of these in which the body steps back from the leaf
-constexpr int kUses = 2;               // of doors on the way to one way point
-constexpr std::size_t kTries = 8;      // consecutive way points missed before a jump
-constexpr double kNearer = 0.02;       // metres, the least progress
-constexpr double kAtPlace = 1.0;       // largest distance between a place and a way point at it, metres
-constexpr double kWayPointHeight = 1.7; // metres: way points are eye positions
+constexpr double kPatience = 1.5;      // seconds without progress before the walker tries another way
+constexpr std::array kSquares{0.25, 0.15}; // metres: squares of a way around obstacles, finer for narrow gaps
+constexpr double kSwing = 1.5;             // seconds for a door to swing and for the body to return to it
+constexpr double kBack = 0.5;              // seconds of these in which the body steps back from the leaf
+constexpr int kUses = 2;                   // of doors on the way to one way point
+constexpr std::size_t kTries = 8;          // consecutive way points missed before a jump
+constexpr double kNearer = 0.02;           // metres, the least progress
+constexpr double kAtPlace = 1.0;           // largest distance between a place and a way point at it, metres
+constexpr double kWayPointHeight = 1.7;    // metres: way points are eye positions
 
 double levelDistance(const Vec3& a, const Vec3& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
@@ -80,9 +82,31 @@ private:
         return point.eye - Vec3(0.0, 0.0, kWayPointHeight);
     }
 
-    /// False if the body makes no more progress.
+    /// Goes straight to a way point, and around obstacles if that fails. False if the body does not get there.
     Result<bool> goTo(const engine::ViewRequest& point) {
         const Vec3 target = feetAt(point);
+        const double pitch = point.pitch.value_or(0.0);
+        const Result<bool> straight = goTo(target, pitch);
+        if (!straight || *straight)
+            return straight;
+        for (const double square : kSquares) {
+            const Result<bool> there = goAround(target, pitch, square);
+            if (!there || *there)
+                return there;
+        }
+        return false;
+    }
+    Result<bool> goAround(const Vec3& target, double pitch, double square) {
+        const motion::Detour detour = play_.walk().wayAround(target, square);
+        if (!detour.reaches)
+            return false;
+        for (const Vec3& corner : detour.corners)
+            if (Result<bool> there = goTo(corner, pitch); !there || !*there)
+                return there;
+        return true;
+    }
+    /// The same straight. False if the body makes no more progress.
+    Result<bool> goTo(const Vec3& target, double pitch) {
         const double reached = std::max(kReached, kPace / options_.fps);
         double best = levelDistance(feet(), target), waited = 0.0;
         int uses = kUses;
@@ -94,7 +118,7 @@ private:
                 --uses;
             }
             widenTheDoor();
-            PlayInput input = towards(target, point.pitch.value_or(0.0));
+            PlayInput input = towards(target, pitch);
             if (waited < kBack - kSwing) // leaves room for the leaf
                 input.forward = -input.forward;
             if (Result<void> stepped = frame(std::move(input)); !stepped)

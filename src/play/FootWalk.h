@@ -21,8 +21,9 @@ struct FootWalk {
     std::vector<std::string> jumps;  ///< names of places that the body jumped to, for lack of a way on foot
 };
 
-/// Walks straight between way points and opens doors. A blocked body tries the next way points, then jumps to
-/// the first named place at a later one, or the walk ends. `done` receives the number of finished way points.
+/// Walks straight between way points, opens doors, and goes around obstacles. A blocked body tries the next way
+/// points, then jumps to the first named place at a later one, or the walk ends. `done` receives the number of
+/// finished way points.
 /// The session should draw nothing (gpu::NullDevice). Errors: the session's.
 [[nodiscard]] Result<FootWalk> walkOnFoot(engine::Session& session, const engine::FrameRequest& start,
                                           const std::vector<engine::ViewRequest>& points,

@@ -213,6 +213,10 @@ double WalkingBody::swingAllDoors(double from, double to) {
     return motion::swingAll(from, to, body_, around_->collisions, doors_, shape_);
 }
 
+motion::Detour WalkingBody::wayAround(const Vec3& feet, double square) const {
+    return motion::wayAround(body_, feet, square, around_->collisions, doors_, shape_);
+}
+
 Result<void> WalkingBody::step(const engine::Session& session, const WalkInput& input,
                                engine::FrameRequest& request) {
     if (Result<void> kept = keepSurroundings(session); !kept)

@@ -3,6 +3,7 @@
 #include "engine/Session.h"
 #include "engine/stream/Background.h"
 #include "motion/ChaseCamera.h"
+#include "motion/Detour.h"
 #include "motion/DoorUse.h"
 
 #include <future>
@@ -51,6 +52,10 @@ public:
     /// step in that part does not block. Requires a body.
     [[nodiscard]] bool prepare(const engine::Session& session,
                                const std::shared_ptr<const engine::LoadedPart>& next);
+
+    /// A way around obstacles from the body to a position of its feet, doors as in the last step, searched on
+    /// squares of this side in metres. Requires a body.
+    [[nodiscard]] motion::Detour wayAround(const Vec3& feet, double square) const;
 
     [[nodiscard]] const motion::BodyState& body() const { return body_; }
     /// The first-person eye.

@@ -96,6 +96,8 @@ void Overlay::begin(double scale, bool selects) {
     io.ConfigFlags = (selects ? kSelects : 0) | (window_.isCaptured() ? ImGuiConfigFlags_NoMouse : 0);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    if (window_.isLost()) // GLFW's sizes are arbitrary then, also negative ones, which end ImGui
+        io.DisplaySize = io.DisplayFramebufferScale = {1.0f, 1.0f};
     passKeys(window_, io);
     // ImGui activates a selected button with Space only.
     if (selects && !io.WantTextInput && ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter)))

@@ -73,9 +73,9 @@ double Obstacles::freeShare(const Vec3& from, const Vec3& to) const {
     return share;
 }
 
-bool Obstacles::crowds(const Vec3& point, double metres) const {
-    for (int i = 0; i < 8; ++i) {
-        const double angle = i * std::numbers::pi / 4.0;
+bool Obstacles::crowds(const Vec3& point, double metres, int directions) const {
+    for (int i = 0; i < directions; ++i) {
+        const double angle = i * 2.0 * std::numbers::pi / directions;
         if (blocks(point, point + metres * Vec3(std::cos(angle), std::sin(angle), 0.0)))
             return true;
     }

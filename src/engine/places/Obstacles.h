@@ -24,8 +24,8 @@ public:
     /// The share of the way from `from` to `to` up to the first triangle; 1 if the way is free.
     [[nodiscard]] double freeShare(const Vec3& from, const Vec3& to) const;
     [[nodiscard]] bool blocks(const Vec3& from, const Vec3& to) const { return freeShare(from, to) < 1.0; }
-    /// True if triangles are within `metres` of `point` in a horizontal direction (eight are tested).
-    [[nodiscard]] bool crowds(const Vec3& point, double metres) const;
+    /// True if triangles are within `metres` of `point` in one of `directions` horizontal directions.
+    [[nodiscard]] bool crowds(const Vec3& point, double metres, int directions = 8) const;
     /// The highest surface under `point` that faces up, at most `depth` metres below; NaN if there is none.
     [[nodiscard]] double floorBelow(const Vec3& point, double depth) const;
 

@@ -9,7 +9,8 @@
 namespace limen::engine {
 namespace {
 
-constexpr double kKnee = 0.5;         // metres above the floor; lower obstacles are steps
+// Metres above the floor at which obstacles are looked for, from the knees to the eyes; lower ones are steps.
+constexpr std::array kHeights{0.5, 0.7, 0.9, 1.1, 1.3, 1.5, kEyeHeight};
 constexpr double kHalfBody = 0.3;     // metres, as of a body's capsule
 constexpr double kStepHeight = 0.6;   // metres, as of a body
 constexpr double kSampled = 0.4;      // metres between tests of the floor
@@ -40,8 +41,9 @@ void append(const std::vector<Vec3>& eyes, dat::RecordId cell, std::vector<WayPo
 
 /// True if a body fits at an eye, from its knees upwards.
 bool hasRoom(const CellShape& cell, const Vec3& eye) {
-    for (const double height : {kKnee, 0.9, 1.3, kEyeHeight})
-        if (cell.solids.crowds(eye + Vec3(0.0, 0.0, height - kEyeHeight), kHalfBody))
+    constexpr int kDirections = 24; // 8 cm between them at the body's side: candlesticks are found
+    for (const double height : kHeights)
+        if (cell.solids.crowds(eye + Vec3(0.0, 0.0, height - kEyeHeight), kHalfBody, kDirections))
             return false;
     return true;
 }
@@ -77,10 +79,12 @@ bool isWalkable(const CellShape& cell, const Vec3& from, const Vec3& to) {
     if (length < 1e-6)
         return std::abs(way.z) < kStepHeight;
     const Vec3 side = Vec3(-way.y, way.x, 0.0) * (kHalfBody / length);
-    const Vec3 knee(0.0, 0.0, kKnee - kEyeHeight);
-    for (const Vec3& offset : {Vec3(0.0), knee, side, -side, knee + side, knee - side})
-        if (!isOpen(cell, from, to, offset))
-            return false;
+    for (const double height : kHeights) {
+        const Vec3 above(0.0, 0.0, height - kEyeHeight);
+        for (const Vec3& offset : {above, above + side, above - side})
+            if (!isOpen(cell, from, to, offset))
+                return false;
+    }
     // Both ends stand on a floor: their own or the sill of a door. Beside a sill the floor of the next cell
     // begins, so the ends are not tested.
     double feet = from.z - kEyeHeight;
