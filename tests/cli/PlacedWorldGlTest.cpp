@@ -15,7 +15,7 @@ using test::putText;
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
-void expectDone(const ProgramRun& run) {
+void expectFinished(const ProgramRun& run) {
     ASSERT_EQ(run.exit, 0) << run.err;
 }
 
@@ -23,7 +23,7 @@ void expectDone(const ProgramRun& run) {
 class PlacedWorld : public testing::Test {
 protected:
     void SetUp() override {
-        expectDone(runner_.run({"demo", "json"}));
+        expectFinished(runner_.run({"demo", "json"}));
         Json world = Json::parse(getText(work() / "json/world.json"));
         for (Json& person : world["villagers"]) {
             person["speed"] = 0.0;
@@ -38,7 +38,7 @@ protected:
         world["emitters"] = Json::array();                               // some are attached to people
         putText(work() / "json/world.json", world.dump());
 
-        expectDone(runner_.run({"world", "export", "--dat", "json", "-o", "sql"}));
+        expectFinished(runner_.run({"world", "export", "--dat", "json", "-o", "sql"}));
         std::filesystem::copy(work() / "json", work() / "rows");
         Json rest = world;
         rest["villagers"] = Json::array();
@@ -47,7 +47,7 @@ protected:
             if (!door["opaque"].get<bool>())
                 rest["doors"].push_back(door); // panes
         putText(work() / "rows/world.json", rest.dump());
-        expectDone(runner_.run({"world", "import", "sql", "--dat", "rows"}));
+        expectFinished(runner_.run({"world", "import", "sql", "--dat", "rows"}));
     }
     [[nodiscard]] const test::TemporaryDirectory& work() const { return runner_.work(); }
 
@@ -62,7 +62,7 @@ TEST_F(PlacedWorld, looksTheSameByEitherWay) {
             views += std::string("--at ") + place + " --doors " + doors + " --seconds 3\n";
     putText(work() / "views", views);
     for (const char* directory : {"json", "rows"})
-        expectDone(runner_.run({"shot", "--dat", directory, "--views", "views", "--size", "320x180", "-o",
+        expectFinished(runner_.run({"shot", "--dat", directory, "--views", "views", "--size", "320x180", "-o",
                                 std::string(directory) + "-pictures"}));
     std::size_t pictures = 0;
     for (const auto& entry : std::filesystem::directory_iterator(work() / "json-pictures")) {
@@ -95,7 +95,7 @@ TEST_F(PlacedWorld, namesItsDoors) {
     const Json first = Json::parse(list.out.substr(0, list.out.find('\n')));
     const std::string name =
         first["name"].get<std::string>() + " " + first["id"].get<std::string>().substr(2);
-    expectDone(runner_.run({"shot", "--dat", "rows", "--at", "lane", "--door", name + "=0.5", "--size",
+    expectFinished(runner_.run({"shot", "--dat", "rows", "--at", "lane", "--door", name + "=0.5", "--size",
                             "64x36", "-o", "a.png"}));
     const ProgramRun unknown = runner_.run(
         {"shot", "--dat", "rows", "--at", "lane", "--door", "nothing=1", "--size", "64x36", "-o", "b.png"});
@@ -115,7 +115,7 @@ TEST_F(PlacedWorld, isComparedWithTheDatFiles) {
             "INSERT INTO weenie_properties_d_i_d VALUES (1, 1, 1, 0x02000150), (2, 2, 1, 0x0200FFFF), (3, 2, 2, 0x0900FFFF);\n"
             "INSERT INTO landblock_instance VALUES (1, 1, 0xA9B40001, 1, 1, 50, 1, 0, 0, 0, False, ''), "
             "(2, 2, 0xA9B4FF00, 1, 1, 50, 1, 0, 0, 0, False, '');\n");
-    expectDone(runner_.run({"world", "import", "odd.sql", "--dat", "rows"}));
+    expectFinished(runner_.run({"world", "import", "odd.sql", "--dat", "rows"}));
     const ProgramRun odd = runner_.run({"world", "stats", "--dat", "rows", "--resolve"});
     for (const char* reason : {"1  its Setup is not", "1  its MotionTable is not", "1  its cell is not", "1  the door stands before no opening"})
         EXPECT_THAT(odd.out, HasSubstr(reason));
