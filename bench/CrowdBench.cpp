@@ -69,7 +69,8 @@ StepTimes timesOf(engine::PartPlanner& planner, const world::Place& place) {
         const double begin = threadSeconds();
         planner.dynamics.build(input, dynamics);
         const double built = threadSeconds();
-        const Result<void> flooded = visibility::flood(part.graph, dynamics.closed, view.view, {}, scratch, visible);
+        const Result<void> flooded =
+            visibility::flood(part.graph, dynamics.closed, view.view, {}, scratch, visible);
         LIMEN_ASSERT(flooded.has_value(), "the views of a benchmark are valid");
         planner.planner.plan(view, dynamics, visible, plan);
         planning.seconds.push_back(threadSeconds() - built);
@@ -101,8 +102,10 @@ std::vector<BenchRow> benchCrowd(AllocationCounter) {
         engine::PartPlanner planner(std::move(*loaded));
         times.push_back(timesOf(planner, *place));
     }
-    const std::string scene = fmt::format("{} people, {} instances", kPeople, times[1].instances - times[0].instances);
-    BenchRow planning{"crowd/planning", scene, times[1].planning - times[0].planning, times[1].planning, "ms"};
+    const std::string scene =
+        fmt::format("{} people, {} instances", kPeople, times[1].instances - times[0].instances);
+    BenchRow planning{"crowd/planning", scene, times[1].planning - times[0].planning, times[1].planning,
+                      "ms"};
     planning.target = kMostPlanning;
     planning.hasTarget = true;
     planning.hash = times[1].hash;

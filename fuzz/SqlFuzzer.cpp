@@ -46,7 +46,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Result<ServerUrl> url = parseServerUrl(std::string(text.substr(0, 200)));
     FUZZ_CHECK(url.has_value() || !url.error().what.empty());
     const Result<Content> content = contentOf(text, std::size_t{data[0]} + 1);
-    FUZZ_CHECK(content.has_value() || (!content.error().what.empty() && content.error().what.find('\n') == std::string::npos));
+    FUZZ_CHECK(content.has_value() ||
+               (!content.error().what.empty() && content.error().what.find('\n') == std::string::npos));
     const Result<Content> whole = contentOf(text, text.size() + 1);
     FUZZ_CHECK(whole.has_value() == content.has_value());
     if (!content)

@@ -3,9 +3,9 @@
 namespace limen::motion {
 namespace {
 
-constexpr double kTravelReach = 3.0;      // metres from the eye to the middle of the portal
-constexpr double kLeastTowards = 0.5;     // cosine of the angle between gaze and portal
-constexpr double kMiddle = 1.0;           // metres: height of the middle of a portal above its origin
+constexpr double kTravelReach = 3.0;  // metres from the eye to the middle of the portal
+constexpr double kLeastTowards = 0.5; // cosine of the angle between gaze and portal
+constexpr double kMiddle = 1.0;       // metres: height of the middle of a portal above its origin
 
 } // namespace
 

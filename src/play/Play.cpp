@@ -139,8 +139,8 @@ void Play::useDoor() {
 
 void Play::useTravel() {
     const world::World& world = session_.part().world;
-    const std::optional<std::size_t> portal = motion::travelInReach(
-        world, request_.camera.eye, engine::basisOf(request_.camera.heading).forward);
+    const std::optional<std::size_t> portal =
+        motion::travelInReach(world, request_.camera.eye, engine::basisOf(request_.camera.heading).forward);
     if (!portal)
         return;
     const world::TravelEntry& to = *world.placed[*portal].travel;

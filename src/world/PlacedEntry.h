@@ -52,8 +52,8 @@ struct PlacedEntry {
         Door   ///< opens and shuts, in the opening that it stands before
     };
     Kind kind = Kind::Thing;
-    std::uint64_t id = 0;         ///< unique in the world, below 2^56
-    std::uint32_t templateId = 0; ///< for people
+    std::uint64_t id = 0;                     ///< unique in the world, below 2^56
+    std::uint32_t templateId = 0;             ///< for people
     std::string name;                         ///< unique in the world
     dat::RecordId model = 0, motionTable = 0; ///< motionTable 0: that of the Setup
     dat::RecordId cell = 0;                   ///< 0: outside

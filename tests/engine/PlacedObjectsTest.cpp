@@ -110,7 +110,8 @@ TEST(PlacedEntry, changesItsLook) {
 TEST(PlacedEntry, ofATravelPortalLeadsSomewhere) {
     Template of;
     of.type = 7;
-    of.destination = placements::Spot{0x01250126, {30.0f, -60.0f, 6.0f}, {0.70710678f, 0.0f, 0.0f, -0.70710678f}};
+    of.destination =
+        placements::Spot{0x01250126, {30.0f, -60.0f, 6.0f}, {0.70710678f, 0.0f, 0.0f, -0.70710678f}};
     const world::PlacedEntry entry = entryOf(of, standingAt(0x01010001));
     ASSERT_TRUE(entry.travel);
     EXPECT_EQ(entry.travel->cell, 0x01250126u);
@@ -136,7 +137,8 @@ TEST(RowsOfWorldFile, doorsAndPeopleComeBackAsEntries) {
     door.name = "gate";
     door.cell = 0xA9B40105;
     const Vec3 hinge(0xA9 * 192.0 + 7, 0xB4 * 192.0 + 8, 9);
-    door.leaves = {{0x02000001, hinge, 90.0, -95.0, 0x09000001}, {0x02000001, hinge, 270.0, 95.0, 0x09000002}};
+    door.leaves = {{0x02000001, hinge, 90.0, -95.0, 0x09000001},
+                   {0x02000001, hinge, 270.0, 95.0, 0x09000002}};
     file.moving.doors = {door, door};
     file.moving.doors[1].leaves[0].motionTable = 0; // no rows for it
     world::RouteEntry route;

@@ -1,7 +1,7 @@
 #include "gpu/device/NullDevice.h"
+#include "placements/WorldDb.h"
 #include "play/Play.h"
 #include "support/TemporaryDirectory.h"
-#include "placements/WorldDb.h"
 #include "worlds/Demo.h"
 
 #include <gtest/gtest.h>
@@ -22,9 +22,10 @@ void writeWorld(const std::filesystem::path& directory, const Vec3& portal, cons
         const dat::BlockCoord block = cell != 0 ? dat::blockOf(cell) : world::blockAt(at);
         const auto landblock = static_cast<std::uint32_t>(block.x << 24 | block.y << 16);
         const Vec3 local = at - Vec3(block.x * world::kBlockSize, block.y * world::kBlockSize, 0.0);
-        return placements::Spot{cell != 0 ? cell : landblock,
-                                {static_cast<float>(local.x), static_cast<float>(local.y), static_cast<float>(local.z)},
-                                {1.0f, 0.0f, 0.0f, 0.0f}};
+        return placements::Spot{
+            cell != 0 ? cell : landblock,
+            {static_cast<float>(local.x), static_cast<float>(local.y), static_cast<float>(local.z)},
+            {1.0f, 0.0f, 0.0f, 0.0f}};
     };
     of.destination = spotAt(inn.eye - Vec3(0.0, 0.0, engine::kEyeHeight), inn.cell);
     const placements::Spot spot = spotAt(portal, 0);
@@ -54,7 +55,8 @@ TEST(TravelPortal, leadsToItsDestinationWhenItIsUsed) {
     view.size = {64, 36};
     ASSERT_TRUE(session.load(engine::centreOf(view)));
     ASSERT_EQ(session.part().world.placed.size(), 1u);
-    Result<engine::FrameRequest> start = engine::frameRequest(session.part().world, session.source().file, view);
+    Result<engine::FrameRequest> start =
+        engine::frameRequest(session.part().world, session.source().file, view);
     ASSERT_TRUE(start);
     Play play(session, *start);
     PlayInput input;
@@ -83,7 +85,8 @@ TEST(TravelPortal, isNotUsedFromAfar) {
     view.yaw = 90.0;
     view.size = {64, 36};
     ASSERT_TRUE(session.load(engine::centreOf(view)));
-    Result<engine::FrameRequest> start = engine::frameRequest(session.part().world, session.source().file, view);
+    Result<engine::FrameRequest> start =
+        engine::frameRequest(session.part().world, session.source().file, view);
     ASSERT_TRUE(start);
     Play play(session, *start);
     PlayInput input;

@@ -9,7 +9,8 @@ namespace limen::test {
 inline constexpr std::uint32_t kSubstateOn = 0x4000000B, kSubstateOff = 0x4000000C;
 
 /// Adds a motion table that turns part 0 by `swing` degrees, clockwise seen from above, in 30 frames of one second in all.
-inline std::uint32_t addSwingTable(TestWorld& source, std::uint32_t id, std::uint32_t animationId, double swing) {
+inline std::uint32_t addSwingTable(TestWorld& source, std::uint32_t id, std::uint32_t animationId,
+                                   double swing) {
     constexpr int kFrames = 30;
     const auto motion = [&](int low, int high) {
         dat::MotionData data;

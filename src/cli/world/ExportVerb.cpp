@@ -23,9 +23,9 @@ Result<placements::Content> contentOf(const PlacedWorld& world, const Console& c
     if (world.database != nullptr)
         return world.database->readAll();
     engine::WorldFileRows rows = engine::rowsOf(*world.file);
-    console.note(fmt::format(
-        "limen: rows for {} doors and {} standing people; rows cannot hold {} panes and emitters",
-        rows.doors, rows.people, rows.left));
+    console.note(
+        fmt::format("limen: rows for {} doors and {} standing people; rows cannot hold {} panes and emitters",
+                    rows.doors, rows.people, rows.left));
     return std::move(rows.content);
 }
 

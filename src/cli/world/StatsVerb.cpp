@@ -1,6 +1,6 @@
+#include "cli/OpenWorld.h"
 #include "cli/world/PlacedWorld.h"
 #include "cli/world/WorldVerbs.h"
-#include "cli/OpenWorld.h"
 #include "core/NumberText.h"
 #include "engine/placed/PlacedHealth.h"
 
@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <map>
 #include <memory>
-#include <optional>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace limen::cli {
 namespace {
@@ -70,8 +70,9 @@ std::string statsTable(const WorldStats& stats) {
     for (const auto& [type, count] : stats.byType)
         text += fmt::format("  {:<18} {:>9}\n", type, groupedText(count));
     if (stats.health) {
-        text += fmt::format("drawn       {:>9}\ndoors       {:>9}, {} in an opening\n", groupedText(stats.health->visible),
-                            groupedText(stats.health->doors), groupedText(stats.health->hungDoors));
+        text += fmt::format("drawn       {:>9}\ndoors       {:>9}, {} in an opening\n",
+                            groupedText(stats.health->visible), groupedText(stats.health->doors),
+                            groupedText(stats.health->hungDoors));
         for (const auto& [reason, names] : stats.health->unresolved)
             text += fmt::format("  {:>9}  {}\n", groupedText(names.size()), reason);
     }
@@ -80,8 +81,8 @@ std::string statsTable(const WorldStats& stats) {
 
 std::string statsJson(const WorldStats& stats) {
     nlohmann::ordered_json object{{"source", stats.source},         {"imported", stats.time},
-                                        {"landblocks", stats.landblocks}, {"templates", stats.templates},
-                                        {"links", stats.links},           {"objects", stats.byType}};
+                                  {"landblocks", stats.landblocks}, {"templates", stats.templates},
+                                  {"links", stats.links},           {"objects", stats.byType}};
     if (stats.health)
         object["compared"] = {{"drawn", stats.health->visible},
                               {"doors", stats.health->doors},
@@ -135,9 +136,11 @@ void addWorldStatsVerb(CLI::App& world, const Console& console, Choice& choice) 
                      "read the world.db or world.json of this directory, or this file (the built-in world)")
         ->type_name("PATH");
     verb->add_flag("--json", arguments->json, "print one JSON object");
-    verb->add_flag("--resolve", arguments->resolve,
-                   "compare world.db with the dat files beside it: missing records, and doors without an opening");
-    verb->footer("--resolve loads each landblock with doors. With --json it lists the names of all unresolved objects.\n"
+    verb->add_flag(
+        "--resolve", arguments->resolve,
+        "compare world.db with the dat files beside it: missing records, and doors without an opening");
+    verb->footer("--resolve loads each landblock with doors. With --json it lists the names of all "
+                 "unresolved objects.\n"
                  "Examples:\n  limen world stats\n  limen world stats --dat DIR --json");
     verb->callback([&console, &choice, arguments] {
         choice.run = [&console, arguments] { return runWorldStats(*arguments, console); };

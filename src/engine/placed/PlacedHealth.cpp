@@ -26,8 +26,8 @@ void compareEntry(const world::PlacedEntry& entry, const dat::Archive& archive, 
 }
 
 /// Loads the block of some doors and counts those that hang in an opening.
-Result<void> hangDoors(const dat::Archive& archive, dat::BlockCoord block, std::vector<world::PlacedEntry> doors,
-                       PlacedHealth& out) {
+Result<void> hangDoors(const dat::Archive& archive, dat::BlockCoord block,
+                       std::vector<world::PlacedEntry> doors, PlacedHealth& out) {
     world::MovingEntries moving;
     moving.placed = std::move(doors);
     const Result<world::World> world = world::loadWorld(archive, block, {.radius = 0}, moving);
@@ -54,8 +54,10 @@ Result<PlacedHealth> placedHealth(const PlacedObjects& placed, const dat::Archiv
     PlacedHealth health;
     for (std::size_t i = 0; i < ids->size(); ++i) {
         if (progress && !progress(i, ids->size()))
-            return fail(ErrorCode::Unreadable, placed.database().path().string(), "the comparison was cancelled");
-        const dat::BlockCoord block{static_cast<int>((*ids)[i] >> 8 & 0xFF), static_cast<int>((*ids)[i] & 0xFF)};
+            return fail(ErrorCode::Unreadable, placed.database().path().string(),
+                        "the comparison was cancelled");
+        const dat::BlockCoord block{static_cast<int>((*ids)[i] >> 8 & 0xFF),
+                                    static_cast<int>((*ids)[i] & 0xFF)};
         const Result<std::vector<world::PlacedEntry>> entries = placed.around(archive, block, {.radius = 0});
         if (!entries)
             return tl::unexpected(entries.error());

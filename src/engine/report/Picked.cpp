@@ -18,8 +18,9 @@ Picked pickedPixel(const world::World& world, const IdTable& table, const world:
     if (const world::Instance* instance = table.instance(id); instance != nullptr) {
         picked.object = instance->object;
         const auto placed =
-            std::find_if(world.placed.begin(), world.placed.end(),
-                         [&](const world::PlacedObject& object) { return object.object == instance->object; });
+            std::find_if(world.placed.begin(), world.placed.end(), [&](const world::PlacedObject& object) {
+                return object.object == instance->object;
+            });
         if (placed != world.placed.end())
             picked.placed = fmt::format("{}, template {}", placed->name, placed->templateId);
         picked.isLandscape = instance->kind == world::InstanceKind::Terrain;
