@@ -258,7 +258,7 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     if (!source)
         return tl::unexpected(source.error());
     for (ListedView& listed : *views) {
-        Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(listed.view), source->file);
+        Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(listed.view), *source);
         if (!resolved)
             return tl::unexpected(resolved.error());
         listed.view = std::move(*resolved);

@@ -76,6 +76,25 @@ Result<world::MovingEntries> movingAround(const WorldSource& source, dat::BlockC
         });
 }
 
+Result<ViewRequest> resolvePlace(ViewRequest request, const WorldSource& source) {
+    Result<ViewRequest> resolved = resolvePlace(request, source.file);
+    if (resolved || source.placed == nullptr)
+        return resolved;
+    const Result<std::optional<world::Place>> object = source.placed->viewOf(request.place);
+    if (!object)
+        return tl::unexpected(object.error());
+    if (!*object)
+        return resolved;
+    ViewRequest view = requestAt(**object);
+    request.place.clear();
+    request.eye = view.eye;
+    request.isOnGround = false;
+    request.yaw = request.yaw.value_or(*view.yaw);
+    request.pitch = request.pitch.value_or(0.0);
+    request.root = request.root.value_or(*view.root);
+    return request;
+}
+
 Result<std::vector<world::Place>> tourOf(const WorldSource& source, const SearchProgress& progress) {
     if (source.isSearched || !source.file.tour.empty())
         return source.file.tour;

@@ -2,6 +2,7 @@
 
 #include "dat/Archive.h"
 #include "engine/BuiltInWorld.h"
+#include "engine/ViewRequest.h"
 #include "engine/placed/PlacedObjects.h"
 #include "engine/places/FoundPlaces.h"
 
@@ -35,6 +36,10 @@ enum class PlaceSearch { Find, Skip };
 /// Errors: a damaged world.db.
 [[nodiscard]] Result<world::MovingEntries> movingAround(const WorldSource& source, dat::BlockCoord centre,
                                                         const world::LoadOptions& options);
+
+/// The same as resolvePlace() of ViewRequest.h for the places of `source`. A name that is no place can be that of an object of
+/// world.db. Errors: as there; a damaged world.db.
+[[nodiscard]] Result<ViewRequest> resolvePlace(ViewRequest request, const WorldSource& source);
 
 /// The world's tour; without one, the tour that its records suggest, also beside a world.json that has places
 /// only. May be empty. Records are searched once: not if `openWorldSource` did. Errors: a damaged index;

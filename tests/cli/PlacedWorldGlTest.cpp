@@ -1,5 +1,6 @@
 #include "cli/ProgramRunner.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -107,6 +108,25 @@ TEST_F(PlacedWorld, namesItsDoors) {
     const ProgramRun unknown = runner_->run(
         {"shot", "--dat", "rows", "--at", "lane", "--door", "nothing=1", "--size", "64x36", "-o", "b.png"});
     EXPECT_EQ(unknown.exit, 2);
+}
+
+TEST_F(PlacedWorld, goesToAnObjectByItsName) {
+    const ProgramRun list = runner_->run({"world", "list", "--dat", "rows", "--name", "elder", "--json"});
+    ASSERT_EQ(list.exit, 0) << list.err;
+    const Json elder = Json::parse(list.out.substr(0, list.out.find('\n')));
+    const std::string exact = "elder " + elder["id"].get<std::string>().substr(2);
+    for (const std::string& name : {std::string("ELDER"), std::string("elde"), exact}) {
+        expectFinished(
+            runner_->run({"shot", "--dat", "rows", "--at", name, "--size", "64x36", "--json", "elder.json"}));
+        const Json frame = Json::parse(getText(work() / "elder.json"));
+        const double x = frame["eye"][0].get<double>() - elder["position"][0].get<double>(),
+                     y = frame["eye"][1].get<double>() - elder["position"][1].get<double>();
+        EXPECT_NEAR(std::hypot(x, y), elder["cell"] == "outside" ? 3.0 : 1.5, 0.01) << name;
+    }
+    const ProgramRun unknown =
+        runner_->run({"shot", "--dat", "rows", "--at", "nobody", "--size", "64x36", "-o", "b.png"});
+    EXPECT_EQ(unknown.exit, 2);
+    EXPECT_THAT(unknown.err, HasSubstr("unknown place 'nobody'"));
 }
 
 TEST_F(PlacedWorld, isComparedWithTheDatFiles) {

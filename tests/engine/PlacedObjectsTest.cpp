@@ -57,6 +57,8 @@ TEST(PlacedEntry, hasSensibleValuesForDamagedRows) {
     EXPECT_EQ(entry.scale, 1.0);
     EXPECT_EQ(entry.opacity, 0.0);
     EXPECT_EQ(entry.orientation, Quat(1.0, 0.0, 0.0, 0.0));
+    of.name = "a\x1B[31m\nb\xFF";
+    EXPECT_EQ(entryOf(of, standing).name, "a [31m b\uFFFD 7A9B4001") << "findings print it on the terminal";
 }
 
 TEST(PlacedEntry, wearsItsClothesInOrder) {

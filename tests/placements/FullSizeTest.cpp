@@ -1,5 +1,6 @@
 #include "SqlTestFiles.h"
 #include "placements/Import.h"
+#include "placements/Standing.h"
 #include "placements/WorldDb.h"
 
 #include <chrono>
@@ -120,6 +121,20 @@ TEST(FullSizeWorld, isImportedWithinTwoMinutes) {
                "{:.0f} MiB\n",
                bytes >> 20, reading, writing, update, used,
                static_cast<double>(std::filesystem::file_size(path)) / 1048576.0, peakMiB());
+    const Result<placements::WorldDb> file = placements::WorldDb::open(path);
+    ASSERT_TRUE(file.has_value());
+    std::size_t standing = 0;
+    const double beforeBlocks = processorSeconds();
+    for (const auto& [id, landblock] : content.landblocks) {
+        const Result<placements::Landblock> block = file->landblock(id);
+        ASSERT_TRUE(block.has_value());
+        standing += standingIn(*block, [&](std::uint32_t of) { return &content.templates.at(of); }).size();
+    }
+    const double aBlock = (processorSeconds() - beforeBlocks) / kLandblocks;
+    fmt::print("{} objects stand; {:.3f} ms of processor time to read one landblock\n", standing,
+               aBlock * 1e3);
+    EXPECT_EQ(standing, kObjects);
+    EXPECT_LT(aBlock, 0.005) << "a flight at 50 m/s crosses a row of 9 landblocks in 3.8 s";
     // Processor time, because other programs run beside the test. The import has one thread.
     EXPECT_LT(used, 120.0);
 }

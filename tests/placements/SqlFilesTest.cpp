@@ -140,6 +140,26 @@ TEST(SqlFiles, aDamagedArchiveIsAnError) {
     EXPECT_FALSE(placements::importSqlFiles({directory / "cut.zip"}).has_value());
 }
 
+TEST(SqlFiles, anArchiveThatUnpacksWithoutEndIsAnError) {
+    const TemporaryDirectory directory;
+    const std::string comment = "/*" + std::string(std::size_t{80} << 20, 'x') + "*/";
+    archive* out = archive_write_new();
+    archive_write_set_format_zip(out);
+    ASSERT_EQ(archive_write_open_filename(out, (directory / "bomb.zip").c_str()), ARCHIVE_OK);
+    archive_entry* entry = archive_entry_new();
+    archive_entry_set_pathname(entry, "a.sql");
+    archive_entry_set_size(entry, static_cast<la_int64_t>(comment.size()));
+    archive_entry_set_filetype(entry, AE_IFREG);
+    archive_write_header(out, entry);
+    archive_write_data(out, comment.data(), comment.size());
+    archive_entry_free(entry);
+    archive_write_free(out);
+    const auto content = placements::importSqlFiles({directory / "bomb.zip"});
+    ASSERT_FALSE(content.has_value());
+    EXPECT_NE(content.error().message().find("more than 100 times"), std::string::npos)
+        << content.error().message();
+}
+
 TEST(SqlFiles, progressCancels) {
     const TemporaryDirectory directory;
     putContent(directory.path(), SampleContent(1).make(3, 3));

@@ -124,10 +124,11 @@ void addWorldImportVerb(CLI::App& world, const Console& console, Choice& choice)
         ->required()
         ->type_name("")
         ->check(notEmpty());
-    verb->add_option("--dat", arguments->dat, "write the file beside these dat files")->type_name("DIR");
+    verb->add_option("--dat", arguments->dat, "write the file beside these dat files (the working directory)")
+        ->type_name("DIR");
     verb->add_option("-o,--output", arguments->output, "write this file (world.db)")->type_name("FILE");
     verb->add_option("--option-file", arguments->optionFile,
-                     "read user and password of the server from this option file of MySQL")
+                     "read user and password of the server from this option file of MySQL (none)")
         ->type_name("FILE");
     verb->footer(
         "The files of the core come first, then those of the patches. A second import writes only the "

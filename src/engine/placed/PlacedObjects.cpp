@@ -1,11 +1,13 @@
 #include "engine/placed/PlacedObjects.h"
 
+#include "placements/sql/Text.h"
 #include "world/Nearby.h"
 
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <tuple>
 
 namespace limen::engine {
 namespace {
@@ -36,6 +38,32 @@ Vec3 globalOf(const placements::Spot& spot) {
 world::TravelEntry travelOf(const placements::Spot& spot) {
     const Vec3 ahead = orientationOf(spot) * Vec3(0.0, 1.0, 0.0); // +y is north
     return {indoorCellOf(spot), globalOf(spot), std::atan2(ahead.x, ahead.y) * 180.0 / std::numbers::pi};
+}
+
+/// A name without a guid of eight hexadecimal digits at its end.
+std::string withoutGuid(const std::string& name) {
+    constexpr std::size_t kGuid = 9; // with the blank before it
+    const bool hasGuid = name.size() > kGuid && name[name.size() - kGuid] == ' ' &&
+                         name.find_last_not_of("0123456789ABCDEFabcdef") == name.size() - kGuid;
+    return hasGuid ? name.substr(0, name.size() - kGuid) : name;
+}
+
+bool isSameText(const std::string& a, const std::string& b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// An eye in front of an object, at the height of a person's eyes.
+world::Place viewBefore(const world::PlacedEntry& entry) {
+    constexpr double kIndoors = 1.5, kOutdoors = 3.0, kEyes = 1.6; // metres
+    const Vec3 front = entry.orientation * Vec3(0.0, 1.0, 0.0);
+    world::Place place;
+    place.name = entry.name;
+    place.eye = entry.position + front * (entry.cell != 0 ? kIndoors : kOutdoors) + Vec3(0.0, 0.0, kEyes);
+    place.yaw = std::atan2(-front.x, -front.y) * 180.0 / std::numbers::pi;
+    place.cell = entry.cell;
+    return place;
 }
 
 double scaleOf(const Template& of) {
@@ -84,7 +112,8 @@ world::PlacedEntry placedEntry(const placements::Standing& standing, const Templ
     entry.kind = isDoor ? world::PlacedEntry::Kind::Door : world::PlacedEntry::Kind::Thing;
     entry.id = standing.id;
     entry.templateId = standing.templateId;
-    entry.name = fmt::format("{} {:08X}", of.name.empty() ? of.className : of.name, standing.id);
+    entry.name = fmt::format("{} {:08X}", placements::printable(of.name.empty() ? of.className : of.name),
+                             standing.id);
     entry.model = of.setup;
     entry.motionTable = of.motionTable;
     const placements::Spot& spot = standing.spot;
@@ -123,6 +152,35 @@ const Template* PlacedObjects::find(std::uint32_t id) const {
             fault_ = tl::unexpected(of.error());
     }
     return entry->second ? &*entry->second : nullptr;
+}
+
+Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& name) const {
+    constexpr std::size_t kMostFound = 1000;
+    Result<std::vector<placements::Found>> found =
+        database_.search(withoutGuid(name), std::nullopt, kMostFound);
+    if (!found)
+        return tl::unexpected(found.error());
+    // The object itself, then those whose whole name is the text, then those whose name contains it.
+    const auto rank = [&](const placements::Found& one) {
+        return fmt::format("{} {:08X}", one.name, one.placement.guid) == name ? 0
+               : isSameText(one.name, name)                                   ? 1
+                                                                              : 2;
+    };
+    std::stable_sort(found->begin(), found->end(),
+                     [&](const placements::Found& a, const placements::Found& b) {
+                         return std::tuple(rank(a), a.placement.guid) < std::tuple(rank(b), b.placement.guid);
+                     });
+    const std::lock_guard guard(lock_);
+    const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
+    for (const placements::Found& one : *found) {
+        const bool isNamed = rank(one) < 2 || withoutGuid(name) == name;
+        const Template* of = isNamed ? find(one.placement.templateId) : nullptr;
+        if (of == nullptr || !isVisible(*of))
+            continue;
+        const placements::Standing standing{one.placement.guid, of->id, one.placement.spot, false, {}, {}};
+        return viewBefore(placedEntry(standing, *of, findTemplate));
+    }
+    return fault_.map([] { return std::optional<world::Place>(); });
 }
 
 Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::PlacedEntry>& out) const {

@@ -3,6 +3,7 @@
 #include "placements/Standing.h"
 #include "placements/WorldDb.h"
 #include "world/Loader.h"
+#include "world/Places.h"
 
 #include <map>
 #include <mutex>
@@ -17,6 +18,11 @@ public:
     /// The entries of the blocks that a load around `centre` reads with everything. Errors: a damaged database.
     [[nodiscard]] Result<std::vector<world::PlacedEntry>>
     around(const dat::Archive& archive, dat::BlockCoord centre, const world::LoadOptions& options) const;
+
+    /// A viewpoint before a visible object, which looks at it. `name`: that of the object, with its guid; else that of its
+    /// template, or a part of it; letter case of ASCII does not matter, and the object with the least guid is taken. None:
+    /// there is no such object. Errors: a damaged database.
+    [[nodiscard]] Result<std::optional<world::Place>> viewOf(const std::string& name) const;
 
     [[nodiscard]] const placements::WorldDb& database() const { return database_; }
 

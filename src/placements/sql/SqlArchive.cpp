@@ -8,6 +8,8 @@ namespace limen::placements {
 namespace {
 
 constexpr std::size_t kMostEntries = 2'000'000;
+/// Bytes for each byte of the archive, and bytes for every archive. Files of SQL are packed to a twentieth or so.
+constexpr std::uint64_t kMostUnpacked = 100, kAlwaysUnpacked = std::uint64_t{64} << 20;
 
 struct ArchiveClosed {
     void operator()(archive* open) const { archive_read_free(open); }
@@ -32,6 +34,9 @@ readArchive(const std::filesystem::path& path,
     archive_read_support_format_all(open.get());
     if (archive_read_open_filename(open.get(), path.c_str(), kBlock) != ARCHIVE_OK)
         return damaged(path, open.get());
+    std::error_code ignored;
+    const std::uint64_t most = kMostUnpacked * std::filesystem::file_size(path, ignored) + kAlwaysUnpacked;
+    std::uint64_t unpacked = 0;
     std::size_t entries = 0;
     for (;;) {
         archive_entry* entry = nullptr;
@@ -52,6 +57,11 @@ readArchive(const std::filesystem::path& path,
             const la_ssize_t count = archive_read_data(open.get(), buffer.data(), buffer.size());
             if (count < 0)
                 return damaged(path, open.get());
+            unpacked += static_cast<std::uint64_t>(count);
+            if (unpacked > most)
+                return fail(
+                    ErrorCode::Malformed, path.string(),
+                    "unpacks to more than 100 times its size; unpack it yourself and give the directory");
             return static_cast<std::size_t>(count);
         };
         if (Result<void> done = read({name, static_cast<std::uint64_t>(size > 0 ? size : 0)}, bytes); !done)

@@ -16,7 +16,7 @@ struct ArchivedFile {
 [[nodiscard]] Result<std::vector<ArchivedFile>> listArchive(const std::filesystem::path& path);
 
 /// Calls `read` for each regular file of an archive, in its order. It need not read all bytes. Errors: as
-/// listArchive(); those of `read`.
+/// listArchive(); it unpacks to more than 100 times its size and 64 MiB; those of `read`.
 [[nodiscard]] Result<void>
 readArchive(const std::filesystem::path& path,
             const std::function<Result<void>(const ArchivedFile& file, const ReadBytes& bytes)>& read);
