@@ -49,6 +49,12 @@ Cells cellsOf(const BenchRow& row) {
 
 } // namespace
 
+BenchRow failedRow(std::string bench, std::string scene, std::string unit) {
+    BenchRow row{std::move(bench), std::move(scene), kNotMeasured, kNotMeasured, std::move(unit)};
+    row.hasTarget = true;
+    return row;
+}
+
 std::optional<double> ratioOf(const BenchRow& row) {
     if (row.against.empty())
         return {};

@@ -17,7 +17,6 @@ namespace limen::bench {
 namespace {
 
 constexpr double kMost = 40.0; // GL calls a frame
-constexpr std::uint32_t kWidth = 1280, kHeight = 720;
 
 BenchRow rowOf(const char* bench, const std::string& scene, const CallList& calls) {
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -27,10 +26,6 @@ BenchRow rowOf(const char* bench, const std::string& scene, const CallList& call
     row.hasTarget = true;
     row.hash = calls.hash();
     return row;
-}
-
-BenchRow failedRow(const char* bench, const Error& error) {
-    return rowOf(bench, error.message(), {});
 }
 
 /// Draws from a place in four headings, with doors as loaded, closed and open, and adds the calls.
@@ -55,7 +50,7 @@ Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& 
     places.insert(places.end(), file.places.begin(), file.places.end());
     CallList calls;
     gpu::NullDevice device;
-    PartOfTour part(archive, file, device, kWidth, kHeight);
+    PartOfTour part(archive, file, device, kFrameWidth, kFrameHeight);
     for (const world::Place& place : places) {
         Result<void> added =
             part.at(place).and_then([&](DrawnPart* there) { return addCalls(*there, place, calls); });
@@ -69,10 +64,10 @@ BenchRow tourRow() {
     constexpr const char* kBench = "calls/tour";
     BuiltInFiles files;
     if (Result<void> opened = files.open(); !opened)
-        return failedRow(kBench, opened.error());
+        return failedRow(kBench, opened.error().message(), "calls");
     const Result<CallList> calls = tourCalls(*files.archive, files.world);
     if (!calls)
-        return failedRow(kBench, calls.error());
+        return failedRow(kBench, calls.error().message(), "calls");
     return rowOf(kBench,
                  fmt::format("{} way points, {} places, {} frames", files.world.tour.size(),
                              files.world.places.size(), calls->frames().size()),
@@ -86,15 +81,16 @@ BenchRow objectsRow() {
     for (const double share : {0.0, 0.01, 1.0}) {
         const ObjectField field = makeField({100'000, 5000, 1000.0, share});
         gpu::NullDevice device;
-        const Result<std::unique_ptr<TwoWays>> ways = TwoWays::create(device, field, kWidth, kHeight);
+        const Result<std::unique_ptr<TwoWays>> ways =
+            TwoWays::create(device, field, kFrameWidth, kFrameHeight);
         if (!ways)
-            return failedRow(kBench, ways.error());
-        for (const FieldView& view : fieldViews(field, 16, kWidth, kHeight)) {
+            return failedRow(kBench, ways.error().message(), "calls");
+        for (const FieldView& view : fieldViews(field, 16, kFrameWidth, kFrameHeight)) {
             const Result<void> drawn = (*ways)->drawReal(view);
             calls.add((*ways)->plan(), device.glCalls());
             const Result<void> drawnBoth = drawn.and_then([&] { return (*ways)->drawClassic(view); });
             if (!drawnBoth)
-                return failedRow(kBench, drawnBoth.error());
+                return failedRow(kBench, drawnBoth.error().message(), "calls");
             classic = std::max(classic, static_cast<double>(device.glCalls()));
         }
     }

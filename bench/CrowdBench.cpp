@@ -11,20 +11,16 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <limits>
 
 namespace limen::bench {
 namespace {
 
 constexpr std::size_t kPeople = 200;
-constexpr int kFrames = 400;
+constexpr int kCrowdFrames = 400;
 constexpr double kMostPlanning = 1.0; ///< milliseconds
 
 BenchRow failedCrowd(const Error& error) {
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    BenchRow row{"crowd/planning", error.message(), none, none, "ms"};
-    row.hasTarget = true;
-    return row;
+    return failedRow("crowd/planning", error.message(), "ms");
 }
 
 /// People in rows before an eye, in the clothes and with the body of a villager.
@@ -48,13 +44,13 @@ std::vector<world::PlacedEntry> crowdBefore(const world::Place& place, const wor
 }
 
 /// Milliseconds of processor time of a frame's steps.
-struct StepTimes {
+struct CrowdTimes {
     double state = 0.0, planning = 0.0;
     std::size_t instances = 0;
     std::uint64_t hash = 0;
 };
 
-StepTimes timesOf(engine::PartPlanner& planner, const world::Place& place) {
+CrowdTimes crowdTimesOf(engine::PartPlanner& planner, const world::Place& place) {
     const engine::LoadedPart& part = *planner.part;
     Samples state, planning;
     world::DynamicState dynamics;
@@ -62,7 +58,7 @@ StepTimes timesOf(engine::PartPlanner& planner, const world::Place& place) {
     frame::FramePlan plan;
     visibility::FloodScratch scratch;
     Hash hash;
-    for (int i = 0; i < kFrames; ++i) {
+    for (int i = 0; i < kCrowdFrames; ++i) {
         const frame::FrameView view = viewFrom(part, place, 1920, 1080, 0.05 * i);
         motion::DynamicStateInput input = dynamicsFor(view);
         input.seconds = i / 60.0;
@@ -91,7 +87,7 @@ std::vector<BenchRow> benchCrowd(AllocationCounter) {
                                     [](const world::Place& p) { return p.name == "lane"; });
     if (place == files.world.places.end() || files.world.moving.villagers.empty())
         return {failedCrowd({ErrorCode::NotFound, "lane", "the built-in world lacks this place, or people"})};
-    std::vector<StepTimes> times; // without the crowd, and with it
+    std::vector<CrowdTimes> times; // without the crowd, and with it
     for (const bool isCrowded : {false, true}) {
         if (isCrowded)
             files.world.moving.placed = crowdBefore(*place, files.world.moving.villagers.front());
@@ -100,7 +96,7 @@ std::vector<BenchRow> benchCrowd(AllocationCounter) {
         if (!loaded)
             return {failedCrowd(loaded.error())};
         engine::PartPlanner planner(std::move(*loaded));
-        times.push_back(timesOf(planner, *place));
+        times.push_back(crowdTimesOf(planner, *place));
     }
     const std::string scene =
         fmt::format("{} people, {} instances", kPeople, times[1].instances - times[0].instances);

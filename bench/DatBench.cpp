@@ -19,7 +19,7 @@ namespace {
 
 using namespace limen::dat;
 
-constexpr int kRepeats = 15;
+constexpr int kDatRepeats = 15;
 constexpr RecordId kRecords = 100'001;
 constexpr double kLookupTargetNs = 1000.0;
 constexpr double kDecodeTargetMBs = 300.0;
@@ -57,7 +57,7 @@ private:
 BenchRow openRow(const std::filesystem::path& path, const std::string& scene, AllocationCounter counter) {
     constexpr int kOpens = 100;
     Hash hash;
-    const Samples samples = measure(kRepeats, counter, [&] {
+    const Samples samples = measure(kDatRepeats, counter, [&] {
         for (int i = 0; i < kOpens; ++i)
             hash.add(File::open(path)->header().root);
     });
@@ -71,7 +71,7 @@ BenchRow openRow(const std::filesystem::path& path, const std::string& scene, Al
 BenchRow lookupRow(const File& file, const std::vector<RecordId>& ids, const std::string& scene,
                    AllocationCounter counter) {
     std::uint64_t sum = 0;
-    const Samples samples = measure(kRepeats, counter, [&] {
+    const Samples samples = measure(kDatRepeats, counter, [&] {
         sum = 0;
         for (const RecordId id : ids)
             sum += (*file.find(id))->offset;
@@ -79,7 +79,7 @@ BenchRow lookupRow(const File& file, const std::vector<RecordId>& ids, const std
     std::vector<RecordId> sorted = ids;
     std::sort(sorted.begin(), sorted.end());
     std::uint64_t found = 0;
-    const Samples array = measure(kRepeats, nullptr, [&] {
+    const Samples array = measure(kDatRepeats, nullptr, [&] {
         for (const RecordId id : ids)
             found += static_cast<std::uint64_t>(std::lower_bound(sorted.begin(), sorted.end(), id) -
                                                 sorted.begin());
@@ -252,14 +252,14 @@ BenchRow decodeRow(const std::string& name, AllocationCounter counter,
         total += payloads.back().second.size();
     }
     std::size_t decoded = 0;
-    const Samples samples = measure(kRepeats, counter, [&] {
+    const Samples samples = measure(kDatRepeats, counter, [&] {
         decoded = 0;
         for (const auto& [id, bytes] : payloads)
             decoded += decode<Record>(id, bytes).has_value() ? 1 : 0;
     });
     Bytes target(std::size_t{1} << 20);
     unsigned copied = 0;
-    const Samples copy = measure(kRepeats, nullptr, [&] {
+    const Samples copy = measure(kDatRepeats, nullptr, [&] {
         for (const auto& [id, bytes] : payloads) {
             std::memcpy(target.data(), bytes.data(), bytes.size());
             copied += std::to_integer<unsigned>(target[bytes.size() / 2]);

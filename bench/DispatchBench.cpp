@@ -13,18 +13,17 @@ namespace limen::bench {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::uint32_t kHeadings = 16, kWidth = 1280, kHeight = 720;
+constexpr std::uint32_t kHeadings = 16;
 constexpr std::uint32_t kDriverHeadings = 4, kDriverWidth = 320, kDriverHeight = 180;
 constexpr int kDriverRepeats = 3;
 
-struct Scene {
+struct FieldScene {
     const char* name;
     FieldSpec spec;
     int repeats;
     double mostAtRest; ///< target in microseconds a frame if all objects are static
 };
-const Scene kScenes[] = {
+const FieldScene kFields[] = {
     {"10,000 objects in 1,662 groups", {10'000, 1662, 400.0}, 31, 60.0},
     {"100,000 objects in 5,000 groups", {100'000, 5000, 1000.0}, 11, std::numeric_limits<double>::infinity()},
 };
@@ -52,23 +51,17 @@ BenchRow rowOf(const char* bench, std::string scene, const WayTimes& times) {
     return row;
 }
 
-BenchRow failedRow(std::string scene, const std::string& why) {
-    BenchRow row{"dispatch/plan+submit", std::move(scene) + ": " + why, kNone, kNone, "us"};
-    row.hasTarget = true;
-    return row;
-}
-
 /// Adds the hash of the driver's ids to the first row, and the driver's rows.
 void addDriver(const std::string& scene, const Result<DriverRun>& run, const std::string& driver,
                BenchRow& row, std::vector<BenchRow>& rows) {
     if (!run) {
-        row = failedRow(scene, run.error().message());
+        row = failedRow("dispatch/plan+submit", scene + ": " + run.error().message(), "us");
         return;
     }
     row.hash = run->hash;
     if (!run->same) {
         row.scene += ": the classic path shows other ids";
-        row.value = row.p95 = kNone;
+        row.value = row.p95 = kNotMeasured;
     }
     rows.push_back(rowOf("dispatch/driver", fmt::format("{}, {}, calls alone", scene, driver), run->calls));
     rows.push_back(
@@ -77,16 +70,17 @@ void addDriver(const std::string& scene, const Result<DriverRun>& run, const std
         rows[i].hash = run->hash;
 }
 
-BenchRow measure(const Scene& scene, const Share& share, const std::optional<HeadlessDriver>& driver,
-                 AllocationCounter counter, std::vector<BenchRow>& driverRows) {
+BenchRow measureField(const FieldScene& scene, const Share& share,
+                      const std::optional<HeadlessDriver>& driver, AllocationCounter counter,
+                      std::vector<BenchRow>& driverRows) {
     FieldSpec spec = scene.spec;
     spec.movingShare = share.moving;
     ObjectField field = makeField(spec);
     const std::string name = fmt::format("{}, {}", scene.name, share.name);
-    const Result<WayTimes> times =
-        timeOnNullDevice(field, fieldViews(field, kHeadings, kWidth, kHeight), scene.repeats, counter);
+    const Result<WayTimes> times = timeOnNullDevice(
+        field, fieldViews(field, kHeadings, kFrameWidth, kFrameHeight), scene.repeats, counter);
     if (!times)
-        return failedRow(name, times.error().message());
+        return failedRow("dispatch/plan+submit", name + ": " + times.error().message(), "us");
     BenchRow row = rowOf("dispatch/plan+submit", driver ? name : name + ", no GL", *times);
     row.hasTarget = true;
     row.target = row.against.front().second * share.part;
@@ -106,9 +100,9 @@ std::vector<BenchRow> benchDispatch(AllocationCounter counter) {
     settleAllocator();
     const std::optional<HeadlessDriver> driver = openDriver();
     std::vector<BenchRow> rows, driverRows;
-    for (const Scene& scene : kScenes)
+    for (const FieldScene& scene : kFields)
         for (const Share& share : kShares)
-            rows.push_back(measure(scene, share, driver, counter, driverRows));
+            rows.push_back(measureField(scene, share, driver, counter, driverRows));
     rows.insert(rows.end(), driverRows.begin(), driverRows.end());
     return rows;
 }

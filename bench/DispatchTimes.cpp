@@ -14,8 +14,8 @@ namespace {
 constexpr int kWarmUps = 2;
 constexpr double kMicroseconds = 1e6;
 
-using Draw = Result<void> (TwoWays::*)(const FieldView&);
-constexpr Draw kReal = &TwoWays::drawReal, kClassic = &TwoWays::drawClassic;
+using DrawWay = Result<void> (TwoWays::*)(const FieldView&);
+constexpr DrawWay kReal = &TwoWays::drawReal, kClassic = &TwoWays::drawClassic;
 
 /// One repeat of one path, in microseconds a frame.
 struct Round {
@@ -23,7 +23,7 @@ struct Round {
     std::uint64_t allocations = 0;
 };
 
-Result<Round> roundOnNull(TwoWays& ways, Draw draw, ObjectField& field, std::span<const FieldView> views,
+Result<Round> roundOnNull(TwoWays& ways, DrawWay draw, ObjectField& field, std::span<const FieldView> views,
                           AllocationCounter counter) {
     Round round;
     for (std::uint32_t i = 0; i < views.size(); ++i) {
@@ -40,7 +40,8 @@ Result<Round> roundOnNull(TwoWays& ways, Draw draw, ObjectField& field, std::spa
     return round;
 }
 
-Result<Round> roundOnDriver(TwoWays& ways, Draw draw, ObjectField& field, std::span<const FieldView> views) {
+Result<Round> roundOnDriver(TwoWays& ways, DrawWay draw, ObjectField& field,
+                            std::span<const FieldView> views) {
     Round round;
     for (std::uint32_t i = 0; i < views.size(); ++i) {
         field.moveTo(i);

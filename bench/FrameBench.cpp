@@ -21,8 +21,6 @@ namespace limen::bench {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr std::uint32_t kWidth = 1280, kHeight = 720;
 constexpr int kCpuRepeats = 3;
 constexpr std::size_t kDriverPlaces = 8; // of each kind
 
@@ -60,7 +58,7 @@ Result<double> cpuMicroseconds(DrawnPart& part, const frame::FrameView& view, Wi
 Result<CpuTimes> timeOnNullDevice(const BuiltInFiles& files, AllocationCounter counter) {
     CpuTimes times;
     gpu::NullDevice device;
-    PartOfTour tour(*files.archive, files.world, device, kWidth, kHeight);
+    PartOfTour tour(*files.archive, files.world, device, kFrameWidth, kFrameHeight);
     for (const world::Place& place : files.world.tour) {
         const Result<DrawnPart*> part = tour.at(place);
         if (!part)
@@ -83,7 +81,7 @@ Result<CpuTimes> timeOnNullDevice(const BuiltInFiles& files, AllocationCounter c
 
 BenchRow cpuRow(const BuiltInFiles& files, const Result<CpuTimes>& times) {
     BenchRow row{"frame/cpu", fmt::format("the tour, {} way points, null device", files.world.tour.size()),
-                 kNone, kNone, "us"};
+                 kNotMeasured, kNotMeasured, "us"};
     row.target = kMostCpu;
     row.hasTarget = true;
     if (!times) {
@@ -111,13 +109,6 @@ std::vector<world::Place> someOf(std::span<const world::Place> tour, const std::
 }
 
 /// Rows of a comparison that could not be made.
-BenchRow failedRow(const Error& error) {
-    BenchRow row{"frame/places", error.message(), kNone, kNone, "ms"};
-    row.hasTarget = true;
-    row.target = kNone;
-    return row;
-}
-
 /// Every way of drawing, Limen's first.
 Result<std::vector<std::unique_ptr<FrameWay>>> makeWays(const std::vector<LimenRenderer>& renderers,
                                                         const FrameEffort& effort) {
@@ -142,10 +133,10 @@ std::vector<BenchRow> compareFrames(const dat::Archive& archive, const world::Wo
     const std::vector<LimenRenderer> renderers = limenRenderers();
     const Result<std::vector<std::unique_ptr<FrameWay>>> ways = makeWays(renderers, effort);
     if (!ways)
-        return {failedRow(ways.error())};
+        return {failedRow("frame/places", ways.error().message(), "ms")};
     const Result<FrameTimes> times = timeFrames(archive, file, places, *ways, effort);
     if (!times)
-        return {failedRow(times.error())};
+        return {failedRow("frame/places", times.error().message(), "ms")};
     std::vector<BenchRow> rows = rowsOf(*times, renderers);
     for (const LimenRenderer& renderer : renderers)
         if (std::find(renderer.without.begin(), renderer.without.end(), Without::Ownership) !=
@@ -157,7 +148,7 @@ std::vector<BenchRow> compareFrames(const dat::Archive& archive, const world::Wo
 std::vector<BenchRow> benchFrameWith(AllocationCounter counter, const std::string& pictures) {
     BuiltInFiles files;
     if (Result<void> opened = files.open(); !opened) {
-        BenchRow row{"frame/cpu", opened.error().message(), kNone, kNone, "us"};
+        BenchRow row{"frame/cpu", opened.error().message(), kNotMeasured, kNotMeasured, "us"};
         row.target = kMostCpu;
         row.hasTarget = true;
         return {row};

@@ -16,11 +16,11 @@ namespace limen::bench {
 namespace {
 
 constexpr int kTries = 64; // attempts to find a suitable position
-constexpr double kEyeHeight = 1.7;
+constexpr double kStandingEye = 1.7;
 
-class RandomGenerator {
+class RandomSeries {
 public:
-    explicit RandomGenerator(std::uint32_t seed) : random_(seed) {}
+    explicit RandomSeries(std::uint32_t seed) : random_(seed) {}
     double between(double from, double to) { return from + (to - from) * unit_(random_); }
     std::size_t below(std::size_t count) {
         return std::min(static_cast<std::size_t>(unit_(random_) * static_cast<double>(count)), count - 1);
@@ -43,7 +43,7 @@ visibility::View lookAlong(const Vec3& eye, const Vec3& direction, world::SpaceI
     return view;
 }
 
-Vec3 anyDirection(RandomGenerator& random, double steepest) {
+Vec3 anyDirection(RandomSeries& random, double steepest) {
     const double yaw = random.between(0.0, 2.0 * std::numbers::pi);
     return {std::sin(yaw), std::cos(yaw), random.between(-steepest, steepest)};
 }
@@ -64,7 +64,7 @@ std::vector<visibility::View> collect(std::size_t count, Next next) {
     return views;
 }
 
-const world::Portal& anyBuildingPortal(const world::World& world, RandomGenerator& random) {
+const world::Portal& anyBuildingPortal(const world::World& world, RandomSeries& random) {
     const world::Space& outside = world.spaces[world::kOutside];
     return world.portals[outside.firstPortal + random.below(outside.portalCount)];
 }
@@ -100,7 +100,7 @@ world::World apart(world::World world) {
 }
 
 std::vector<visibility::View> viewsInCells(const world::World& world, std::size_t count, std::uint32_t seed) {
-    RandomGenerator random(seed);
+    RandomSeries random(seed);
     return collect(count, [&](std::vector<visibility::View>& views) {
         const auto cell = static_cast<world::SpaceIndex>(1 + random.below(world.spaces.size() - 1));
         const Aabb& box = world.spaces[cell].bounds;
@@ -117,12 +117,12 @@ std::vector<visibility::View> viewsInCells(const world::World& world, std::size_
 
 std::vector<visibility::View> viewsOutdoors(const world::World& world, std::size_t count,
                                             std::uint32_t seed) {
-    RandomGenerator random(seed);
+    RandomSeries random(seed);
     return collect(count, [&](std::vector<visibility::View>& views) {
         const double turn = random.between(0.0, 2.0 * std::numbers::pi);
         Vec3 eye = middleOf(world, anyBuildingPortal(world, random)) +
                    Vec3(std::cos(turn), std::sin(turn), 0.0) * random.between(0.0, 25.0);
-        eye.z = world::terrainHeight(world, eye.x, eye.y) + kEyeHeight;
+        eye.z = world::terrainHeight(world, eye.x, eye.y) + kStandingEye;
         if (isFinite(eye) && motion::locate(world, eye).space == world::kOutside)
             views.push_back(lookAlong(eye, anyDirection(random, 0.2), world::kOutside));
     });
@@ -130,7 +130,7 @@ std::vector<visibility::View> viewsOutdoors(const world::World& world, std::size
 
 std::vector<visibility::View> viewsAtWindows(const world::World& world, std::size_t count,
                                              std::uint32_t seed) {
-    RandomGenerator random(seed);
+    RandomSeries random(seed);
     return collect(count, [&](std::vector<visibility::View>& views) {
         const world::Portal& portal = anyBuildingPortal(world, random);
         const Vec3 out = portal.plane.n;

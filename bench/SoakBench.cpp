@@ -14,10 +14,9 @@ namespace limen::bench {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLaps = 8;
 constexpr std::size_t kStep = 4; // every fourth way point is drawn
-constexpr std::uint32_t kWidth = 64, kHeight = 36;
+constexpr std::uint32_t kSmallWidth = 64, kSmallHeight = 36;
 constexpr double kMostGrowth = 2.0; // percent
 constexpr double kMiB = 1 << 20;
 
@@ -43,8 +42,8 @@ Result<Lap> walkOnce(const BuiltInFiles& files, gpu::Device& device) {
     for (std::size_t i = 0; i < files.world.tour.size(); i += kStep) {
         const world::Place& place = files.world.tour[i];
         if (around != world::blockAt(place.eye)) {
-            Result<std::unique_ptr<DrawnPart>> loaded =
-                DrawnPart::around(*files.archive, files.world, place, device, kWidth, kHeight, {.radius = 1});
+            Result<std::unique_ptr<DrawnPart>> loaded = DrawnPart::around(
+                *files.archive, files.world, place, device, kSmallWidth, kSmallHeight, {.radius = 1});
             if (!loaded)
                 return tl::unexpected(loaded.error());
             part = std::move(*loaded); // the old part is freed after the new one is loaded, as in a session
@@ -71,7 +70,7 @@ BenchRow memoryRow(std::span<const Lap> laps, const std::string& driver) {
     BenchRow row{"soak/memory",
                  fmt::format("{} laps of {} frames and {} loads, MiB by lap: {}; {}", laps.size(),
                              laps[0].frames, laps[0].loads, fmt::join(figures, " "), driver),
-                 kNone, kNone, "%"};
+                 kNotMeasured, kNotMeasured, "%"};
     const double early = std::max(laps[1].memory, laps[2].memory);
     const double late = std::max(laps[laps.size() - 2].memory, laps[laps.size() - 1].memory);
     row.value = row.p95 = 100.0 * (late / early - 1.0);
@@ -87,16 +86,10 @@ BenchRow objectsRow(std::span<const Lap> laps) {
         fmt::format("{} buffers of {:.0f} MiB, {} textures, {} handles, {} programs, ring of {:.1f} MiB",
                     first.buffers, static_cast<double>(first.bufferBytes) / kMiB, first.textures,
                     first.residentHandles, first.programs, static_cast<double>(first.ringBytes) / kMiB),
-        kNone, kNone, "laps"};
+        kNotMeasured, kNotMeasured, "laps"};
     row.value = row.p95 = static_cast<double>(
         std::count_if(laps.begin(), laps.end(), [&](const Lap& lap) { return !(lap.objects == first); }));
     row.target = 0.0;
-    row.hasTarget = true;
-    return row;
-}
-
-BenchRow failedRow(const Error& error) {
-    BenchRow row{"soak", error.message(), kNone, kNone, "%"};
     row.hasTarget = true;
     return row;
 }
@@ -109,12 +102,12 @@ std::vector<BenchRow> benchSoak(AllocationCounter) {
         return {};
     BuiltInFiles files;
     if (Result<void> opened = files.open(); !opened)
-        return {failedRow(opened.error())};
+        return {failedRow("soak", opened.error().message(), "%")};
     std::vector<Lap> laps;
     for (std::size_t i = 0; i < kLaps; ++i) {
         const Result<Lap> lap = walkOnce(files, *driver->device);
         if (!lap)
-            return {failedRow(lap.error())};
+            return {failedRow("soak", lap.error().message(), "%")};
         laps.push_back(*lap);
     }
     return {memoryRow(laps, driver->device->capabilities().renderer), objectsRow(laps)};

@@ -25,7 +25,6 @@ namespace limen::bench {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpeed = 50.0; // metres a second
 constexpr double kFrame = 1.0 / 60.0;
 constexpr double kAbove = 30.0; // metres above the ground
@@ -33,13 +32,13 @@ constexpr int kNear = 4, kFar = 12;
 /// The eye can be one block away from the loaded centre. Blocks up to this distance must always be loaded.
 constexpr int kAlwaysNear = kNear - 1;
 constexpr std::uint32_t kMapCells = 60'000;
-constexpr double kMiB = 1 << 20;
+constexpr double kMebibyte = 1 << 20;
 
 double residentMiB() {
     std::ifstream in("/proc/self/statm");
     double all = 0.0, resident = 0.0;
     in >> all >> resident;
-    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMiB;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / kMebibyte;
 }
 
 /// Blocks with landscape, and the path over them from the south-western to the north-eastern end.
@@ -170,7 +169,7 @@ BenchRow rowOf(const char* name, std::string scene, double value, const char* un
 
 void addRows(const std::string& scene, const Result<Flight>& flight, std::vector<BenchRow>& rows) {
     if (!flight) {
-        rows.push_back(rowOf("stream", scene + ": " + flight.error().message(), kNone, "ms", 0.5));
+        rows.push_back(rowOf("stream", scene + ": " + flight.error().message(), kNotMeasured, "ms", 0.5));
         return;
     }
     const std::string times =

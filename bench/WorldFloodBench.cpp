@@ -21,7 +21,7 @@ namespace {
 using visibility::View;
 using Against = std::vector<std::pair<std::string, double>>;
 
-constexpr std::uint32_t kSeed = 1;
+constexpr std::uint32_t kWorldSeed = 1;
 
 /// Microseconds a view of a well-known shooter's flood, on an arena level of 3,364 cells and 9,705 openings.
 constexpr double kKnownMean = 1200.0, kKnownWorst = 13700.0;
@@ -31,13 +31,6 @@ struct FineTargets {
 };
 constexpr FineTargets kFine{100.0, 800.0}, kFineApart{400.0, 3000.0};
 constexpr double kMostInTown = 60.0;
-
-BenchRow failedRow(const char* bench, const Error& error) {
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    BenchRow row{bench, error.message(), none, none, "us"};
-    row.hasTarget = true;
-    return row;
-}
 
 BenchRow rowOf(const char* bench, std::string scene, const ViewTimes& times, std::optional<double> target) {
     BenchRow row{bench, std::move(scene), 0.0, 0.0, "us"};
@@ -137,10 +130,10 @@ std::vector<BenchRow> fineRows(AllocationCounter counter) {
     }
     Result<world::World> world = generatedWorld({worlds::GeneratedKind::Complex, halls.cells, 3, 0.0});
     if (!world) {
-        rows.push_back(failedRow("flood/fine", world.error()));
+        rows.push_back(failedRow("flood/fine", world.error().message(), "us"));
         return rows;
     }
-    const std::vector<View> views = viewsInCells(*world, kViews, kSeed);
+    const std::vector<View> views = viewsInCells(*world, kViews, kWorldSeed);
     const std::string name = fmt::format("complex of {} cells, {} openings, ", world->spaces.size() - 1,
                                          world->portals.size() / 2);
     addFineRows({fmt::format("{}{} zones as loaded", name, world->zones.size()), graphOf(*world), views},
@@ -156,14 +149,14 @@ std::vector<BenchRow> scaleRows(AllocationCounter counter) {
     SeenCounts wanted;
     for (const std::uint32_t size : {1000u, 10000u, 100000u}) {
         const Result<world::World> world =
-            generatedWorld({worlds::GeneratedKind::Dungeon, size, kSeed, 0.02});
+            generatedWorld({worlds::GeneratedKind::Dungeon, size, kWorldSeed, 0.02});
         if (!world) {
-            rows.push_back(failedRow("flood/scale", world.error()));
+            rows.push_back(failedRow("flood/scale", world.error().message(), "us"));
             continue;
         }
         const visibility::Graph graph = graphOf(*world);
         const bool first = wanted.empty();
-        std::vector<View> views = viewsInCells(*world, first ? kViews : 8 * kViews, kSeed);
+        std::vector<View> views = viewsInCells(*world, first ? kViews : 8 * kViews, kWorldSeed);
         if (first)
             wanted = countSeen(graph, views);
         else
@@ -182,9 +175,9 @@ std::vector<BenchRow> scaleRows(AllocationCounter counter) {
 
 std::vector<BenchRow> townRows(AllocationCounter counter) {
     constexpr std::size_t kViews = 1000;
-    const Result<world::World> world = generatedWorld({worlds::GeneratedKind::Town, 64, kSeed, 0.0});
+    const Result<world::World> world = generatedWorld({worlds::GeneratedKind::Town, 64, kWorldSeed, 0.0});
     if (!world)
-        return {failedRow("flood/town", world.error())};
+        return {failedRow("flood/town", world.error().message(), "us")};
     const visibility::Graph graph = graphOf(*world);
     const std::string name =
         fmt::format("64 houses, {} building portals, ", world->spaces[world::kOutside].portalCount);
@@ -194,8 +187,8 @@ std::vector<BenchRow> townRows(AllocationCounter counter) {
         rows.push_back(meanRow("flood/town", name + where, times, kMostInTown));
         rows.push_back(worstRow("flood/town", name + where, times, std::nullopt));
     };
-    add("eye in the street", viewsOutdoors(*world, kViews, kSeed));
-    add("eye at a window", viewsAtWindows(*world, kViews, kSeed));
+    add("eye in the street", viewsOutdoors(*world, kViews, kWorldSeed));
+    add("eye at a window", viewsAtWindows(*world, kViews, kWorldSeed));
     return rows;
 }
 

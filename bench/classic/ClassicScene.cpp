@@ -14,7 +14,7 @@ namespace {
 
 namespace layout = frame::gpu;
 
-constexpr std::size_t kBytesPerTexel = 16;
+constexpr std::size_t kTexelBytes = 16;
 constexpr std::size_t kSmallestRange = 256; // bytes; bound ranges must not be empty
 
 template <class T>
@@ -181,8 +181,8 @@ void ClassicScene::addGroups(const world::World& world, const world::DynamicStat
 
 gpu::BufferHandle ClassicScene::add(std::string_view label, std::span<const std::byte> bytes) {
     std::vector<std::byte> padded(bytes.begin(), bytes.end());
-    const std::size_t texels = (bytes.size() + kBytesPerTexel - 1) / kBytesPerTexel;
-    padded.resize(std::max(texels * kBytesPerTexel, kSmallestRange));
+    const std::size_t texels = (bytes.size() + kTexelBytes - 1) / kTexelBytes;
+    padded.resize(std::max(texels * kTexelBytes, kSmallestRange));
     const Result<gpu::BufferHandle> buffer = device_.createBuffer(label, padded);
     if (!buffer) {
         missing_ = buffer.error();

@@ -71,11 +71,10 @@ Result<void> checkPosition(const ViewArguments& a, engine::ViewRequest& view) {
                     "--body sets the position of the player as well; give only one of the two");
     if (eye && at)
         return fail(ErrorCode::BadArgument, "--at", "--eye is given as well; give only one of the two");
-    if (!eye && !at)
-        return fail(ErrorCode::BadArgument, "--eye", "no viewpoint given; use --at PLACE or --eye X,Y,Z");
+    view.isAtStart = !eye && !at;
     if (eye)
         view.eye = *eye;
-    else
+    else if (at)
         takePlace(*at, view);
     return {};
 }
@@ -98,7 +97,7 @@ void addViewOptions(CLI::App& command, ViewArguments& a) {
         "set the position of the eye in metres from the map's south-west corner, z up, e.g. 32530,34660,32");
     add("--at", a.at, "PLACE",
         "place the eye at a name (hill), BLOCK.x,y,z (A9B4.12,34,5), '0xCELL [x y z] w x y z' or '42.1N "
-        "33.6E'");
+        "33.6E' (the world's start)");
     add("--yaw", a.yaw, "DEG", "set the heading; 0 is north, 90 is east (0, or that of the place)");
     add("--pitch", a.pitch, "DEG", "set the pitch, -90..90; 90 is straight up (0, or that of the place)");
     add("--fov", a.fov, "DEG", "set the vertical field of view (60)");
@@ -278,6 +277,8 @@ Result<ListedView> readView(std::string_view line, const std::string& where, con
     Result<engine::ViewRequest> view = checkView(arguments);
     if (!view)
         return fail(ErrorCode::BadArgument, where, view.error().message());
+    if (view->isAtStart)
+        return fail(ErrorCode::BadArgument, where, "no viewpoint given; use --at PLACE or --eye X,Y,Z");
     return ListedView{std::move(*view), outputsOf(outputs, commonOutputs, directory, index)};
 }
 

@@ -32,10 +32,11 @@ struct OutputPaths {
 void addViewOptions(CLI::App& command, ViewArguments& arguments);
 void addOutputOptions(CLI::App& command, OutputPaths& outputs);
 
-/// Checks all arguments. Errors: the first invalid argument; no viewpoint, or two.
+/// Checks all arguments. Without a viewpoint the request is at the world's start. Errors: the first invalid
+/// argument; two viewpoints.
 [[nodiscard]] Result<engine::ViewRequest> checkView(const ViewArguments& arguments);
 
-/// Parses and checks a line of view options. Messages start with `where`.
+/// Parses and checks a line of view options, which must give a viewpoint. Messages start with `where`.
 [[nodiscard]] Result<engine::ViewRequest> parseView(std::string_view line, const std::string& where);
 
 /// One view of a views file.

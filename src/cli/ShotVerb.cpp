@@ -251,8 +251,9 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
         return tl::unexpected(checked.error());
     if (Result<void> checked = checkAllOutputs(options, *views); !checked)
         return tl::unexpected(checked.error());
-    const bool namesPlaces = std::any_of(views->begin(), views->end(),
-                                         [](const ListedView& listed) { return !listed.view.place.empty(); });
+    const bool namesPlaces = std::any_of(views->begin(), views->end(), [](const ListedView& listed) {
+        return listed.view.isAtStart || !listed.view.place.empty();
+    });
     Result<engine::WorldSource> source = openWorld(
         console, options.session.dat, namesPlaces ? engine::PlaceSearch::Find : engine::PlaceSearch::Skip);
     if (!source)

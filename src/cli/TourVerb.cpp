@@ -113,10 +113,8 @@ Result<TourFrames> checkTurnTable(const TourOptions& options, const world::World
         if (!view)
             return tl::unexpected(view.error());
         request.centre = std::move(*view);
-    } else if (const world::Place* first = engine::firstPlace(file)) {
-        request.centre = engine::requestAt(*first);
     } else {
-        return fail(ErrorCode::NotFound, "--at", "this world names no place; give one with --at PLACE");
+        request.centre.isAtStart = true;
     }
     Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(request.centre), file);
     if (!resolved)

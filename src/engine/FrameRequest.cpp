@@ -156,7 +156,7 @@ motion::DynamicStateInput dynamicsInputOf(const world::World& world, const Frame
 
 Result<FrameRequest> frameRequest(const world::World& world, const world::WorldFile& file,
                                   const ViewRequest& request) {
-    LIMEN_ASSERT(request.place.empty(), "resolvePlace has filled in the place");
+    LIMEN_ASSERT(request.place.empty() && !request.isAtStart, "resolvePlace has filled in the place");
     FrameRequest frame;
     const Result<Vec3> eye = placedEye(world, request);
     if (!eye)

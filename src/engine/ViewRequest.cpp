@@ -43,6 +43,12 @@ Result<const world::Place*> findPlace(const world::WorldFile& file, const std::s
                     : fmt::format("unknown place '{}'.{} limen places lists all", name, didYouMean(similar)));
 }
 
+Result<const world::Place*> startOf(const world::WorldFile& file) {
+    if (const world::Place* first = firstPlace(file))
+        return first;
+    return fail(ErrorCode::NotFound, "--at", "this world names no place; give --at PLACE or --eye X,Y,Z");
+}
+
 RootChoice rootOf(const world::Place& place) {
     return place.cell == 0 ? RootChoice{RootChoice::Rule::Outside, 0}
                            : RootChoice{RootChoice::Rule::Cell, place.cell};
@@ -51,11 +57,13 @@ RootChoice rootOf(const world::Place& place) {
 } // namespace
 
 Result<ViewRequest> resolvePlace(ViewRequest request, const world::WorldFile& file) {
-    if (request.place.empty())
+    if (!request.isAtStart && request.place.empty())
         return request;
-    const Result<const world::Place*> place = findPlace(file, request.place);
+    const Result<const world::Place*> place =
+        request.isAtStart ? startOf(file) : findPlace(file, request.place);
     if (!place)
         return tl::unexpected(place.error());
+    request.isAtStart = false;
     request.place.clear();
     request.eye = (*place)->eye;
     request.isOnGround = false;
@@ -75,7 +83,7 @@ ViewRequest requestAt(const world::Place& place) {
 }
 
 dat::BlockCoord centreOf(const ViewRequest& request) {
-    LIMEN_ASSERT(request.place.empty(), "resolvePlace has filled in the place");
+    LIMEN_ASSERT(request.place.empty() && !request.isAtStart, "resolvePlace has filled in the place");
     return request.root && request.root->rule == RootChoice::Rule::Cell ? dat::blockOf(request.root->cell)
                                                                         : world::blockAt(request.eye);
 }

@@ -50,6 +50,7 @@ inline constexpr double kEyeHeight = 1.7;
 
 /// A frame by names: the content of `limen shot`'s options.
 struct ViewRequest {
+    bool isAtStart = false;           ///< at firstPlace; `place` and `eye` do not apply
     std::string place;                ///< a name of world.json; empty: `eye` applies
     Vec3 eye{0.0};                    ///< global, metres
     bool isOnGround = false;          ///< replaces the eye's height by that of the ground plus kEyeHeight
@@ -61,16 +62,16 @@ struct ViewRequest {
     SceneRequest scene;
 };
 
-/// Replaces the name of a place by its position, and fills in heading and root if the request has none.
-/// `place` is then empty. A name matches exactly, else without regard to case, spaces and hyphens. Errors:
-/// NotFound for an unknown name; the message lists similar ones.
+/// Replaces the start or the name of a place by its position, and fills in heading and root if the request has
+/// none. `place` is then empty, and `isAtStart` false. A name matches exactly, else without regard to case,
+/// spaces and hyphens. Errors: NotFound for an unknown name; the message lists similar ones. NotFound for the
+/// start of a world without places.
 [[nodiscard]] Result<ViewRequest> resolvePlace(ViewRequest request, const world::WorldFile& file);
 
 /// A request at a named place.
 [[nodiscard]] ViewRequest requestAt(const world::Place& place);
 
-/// The landblock to load for a request: that of the root cell, else that of the eye. Requires an empty
-/// `place`.
+/// The landblock to load for a request: that of the root cell, else that of the eye. Requires a resolved place.
 [[nodiscard]] dat::BlockCoord centreOf(const ViewRequest& request);
 
 /// The first viewpoint in a world: its start, else the first of its tour, else its first place. Null: the

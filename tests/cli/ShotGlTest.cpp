@@ -1,5 +1,8 @@
 #include "cli/ProgramRunner.h"
 
+#include "engine/ViewRequest.h"
+#include "engine/WorldSource.h"
+
 #include <cmath>
 #include <cstring>
 #include <gmock/gmock.h>
@@ -50,6 +53,18 @@ TEST(Shot, writesWhatItIsAskedForAndNothingElse) {
     EXPECT_EQ(runner.work().entryCount(), 0u);
     expectDone(runner.run({"shot", "--at", "hill", "--size", "64x36", "-o", "a.png"}));
     EXPECT_EQ(runner.work().entryCount(), 1u);
+}
+
+TEST(Shot, withoutAViewpointShowsTheWorldsStart) {
+    const ProgramRunner runner;
+    expectDone(runner.run({"demo", "--bare", "--kind", "town", "--size", "3", "town"}));
+    std::filesystem::remove(runner.work() / "town" / "world.json");
+    expectDone(runner.run({"shot", "--dat", "town", "--size", "64x36", "-o", "a.png", "--json", "a.json"}));
+    const auto frame = nlohmann::json::parse(getText(runner.work() / "a.json"));
+    const engine::WorldSource source = engine::openWorldSource((runner.work() / "town").string()).value();
+    const world::Place* start = engine::firstPlace(source.file);
+    ASSERT_NE(start, nullptr);
+    EXPECT_EQ(frame["eye"], (nlohmann::json{start->eye.x, start->eye.y, start->eye.z}));
 }
 
 TEST(Shot, supersamplingSmoothsAndKeepsTheSize) {
