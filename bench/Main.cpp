@@ -1,6 +1,7 @@
 #include "AllocationCount.h"
 #include "BenchTable.h"
 #include "CallsBench.h"
+#include "CrowdBench.h"
 #include "DatBench.h"
 #include "DispatchBench.h"
 #include "FloodBench.h"
@@ -45,6 +46,7 @@ constexpr std::array kBenches{
     Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},
     Bench{"calls", "GL calls a frame, along the tour and with many objects", &benchCalls},
+    Bench{"crowd", "planning of frames with 200 people of a world database", &benchCrowd},
     Bench{"flood", "the portal flood in grids of rooms, fine cells, dungeons and a town", &benchFlood},
 };
 

@@ -9,7 +9,7 @@
 #include <fstream>
 
 // Writes corpora for the fuzzers: fuzz_make_corpus DIRECTORY makes DIRECTORY/container, DIRECTORY/records,
-// DIRECTORY/text, and DIRECTORY/kinds/NAME for each kind of record.
+// DIRECTORY/text, DIRECTORY/sql, and DIRECTORY/kinds/NAME for each kind of record.
 namespace {
 
 using namespace limen::dat;
@@ -19,6 +19,12 @@ bool save(const fs::path& path, const Bytes& bytes) {
     std::ofstream out(path, std::ios::binary);
     out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     return static_cast<bool>(out);
+}
+
+bool save(const fs::path& path, std::string_view text) {
+    Bytes bytes(text.size());
+    std::memcpy(bytes.data(), text.data(), text.size());
+    return save(path, bytes);
 }
 
 /// Writes records of one type, each behind the byte that selects the type in RecordsFuzzer.
@@ -65,12 +71,29 @@ bool saveTexts(const fs::path& directory) {
         "2--at 42.1N,33.6E --root outside --doors half --body 1,2,3 --door d=0.5"};
     bool good = true;
     int number = 0;
-    for (const char* text : texts) {
-        const std::string_view all(text);
-        Bytes bytes(all.size());
-        std::memcpy(bytes.data(), all.data(), all.size());
-        good = save(directory / std::to_string(number++), bytes) && good;
-    }
+    for (const char* text : texts)
+        good = save(directory / std::to_string(number++), text) && good;
+    return good;
+}
+
+bool saveSql(const fs::path& directory) {
+    const char* const texts[] = {"\x40DELETE FROM `weenie` WHERE `class_Id` = 5;\nINSERT INTO `weenie` "
+                                 "(`class_Id`, `class_Name`, `type`) VALUES (5, "
+                                 "'it''s', 19) /* Door */;\nINSERT INTO `weenie_properties_bool` VALUES (1, "
+                                 "5, 2, True), (2, 5, 3, b'0');",
+                                 "\x01INSERT INTO `landblock_instance` (`guid`, `weenie_Class_Id`, "
+                                 "`obj_Cell_Id`, `origin_X`, `origin_Y`, `origin_Z`, "
+                                 "`angles_W`, `angles_X`, `angles_Y`, `angles_Z`, `is_Link_Child`) VALUES "
+                                 "(0x7A000001, 5, 0xA9B40100, 1.5, -2e1, 0, 1, "
+                                 "0, 0, 0, False);\nINSERT INTO landblock_instance_link (parent_GUID, "
+                                 "child_GUID) VALUES (0x7A000001, 2);",
+                                 "\x10INSERT INTO weenie VALUES (7,'a\\'b',1,NOW());-- x\nINSERT INTO "
+                                 "weenie_properties_string VALUES (1,7,1,\"n\");",
+                                 "\x20mariadb://ann@host:3306/world?socket=/run/s"};
+    bool good = true;
+    int number = 0;
+    for (const char* text : texts)
+        good = save(directory / std::to_string(number++), text) && good;
     return good;
 }
 
@@ -88,7 +111,9 @@ int main(int argc, char** argv) {
     fs::create_directories(records, error);
     const fs::path texts = fs::path(argv[1]) / "text";
     fs::create_directories(texts, error);
-    bool good = saveTexts(texts) && saveFiles(container);
+    const fs::path sql = fs::path(argv[1]) / "sql";
+    fs::create_directories(sql, error);
+    bool good = saveTexts(texts) && saveSql(sql) && saveFiles(container);
     RecordTypes::forEach([&]<class Record>(std::type_identity<Record>) {
         constexpr RecordKind kKind = kKindOf<Record>;
         const fs::path alone = fs::path(argv[1]) / "kinds" / nameOf(kKind);

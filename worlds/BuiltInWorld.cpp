@@ -3,6 +3,7 @@
 #include "worlds/builtin/dungeon/DungeonBlocks.h"
 #include "worlds/builtin/land/RegionBuilder.h"
 #include "worlds/builtin/land/TerrainShape.h"
+#include "worlds/builtin/village/DoorMotions.h"
 #include "worlds/builtin/village/Village.h"
 #include "worlds/records/Materials.h"
 
@@ -21,6 +22,7 @@ WorldRecords buildBuiltInWorld(Pictures pictures) {
     const DungeonMap dungeons = addDungeonBlocks(writer, map.furniture, plants);
     addLandBlocks(records, {kVillage, kTowerBlock, kCaveBlock});
     records.worldFile = buildWorldFile(map, dungeons);
+    addDoorMotions(writer, records.worldFile);
     return records;
 }
 

@@ -117,7 +117,7 @@ wayPointsOf(const PathArguments& arguments, const engine::WorldSource& source, c
     if (!views)
         return tl::unexpected(views.error());
     for (const ListedView& listed : *views) {
-        Result<engine::ViewRequest> stand = engine::resolvePlace(listed.view, source.file);
+        Result<engine::ViewRequest> stand = engine::resolvePlace(listed.view, source);
         if (!stand)
             return tl::unexpected(stand.error());
         points.push_back(*stand);

@@ -61,6 +61,7 @@ void addVerbs(CLI::App& program, const Console& console, Choice& choice) {
     addDoctorVerb(program, console, choice);
     addMapVerb(program, console, choice);
     addDatVerb(program, console, choice);
+    addWorldVerb(program, console, choice);
     addDemoVerb(program, console, choice);
     addBenchVerb(program, console, choice);
     addHelpVerb(program, console, choice);

@@ -177,8 +177,12 @@ Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& opt
             scene.reset(); // it refers to the old world
             loaded.reset();
             const Waiting waiting(console, "loading the world");
+            const Result<world::MovingEntries> moving =
+                engine::movingAround(source, target.centre, target.options);
+            if (!moving)
+                return tl::unexpected(moving.error());
             Result<std::shared_ptr<const engine::LoadedPart>> next =
-                engine::loadPart(source.archive, target, source.file.moving);
+                engine::loadPart(source.archive, target, *moving);
             if (!next)
                 return tl::unexpected(next.error());
             loaded = std::make_unique<engine::PartPlanner>(std::move(*next));
@@ -255,7 +259,7 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     if (!source)
         return tl::unexpected(source.error());
     for (ListedView& listed : *views) {
-        Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(listed.view), source->file);
+        Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(listed.view), *source);
         if (!resolved)
             return tl::unexpected(resolved.error());
         listed.view = std::move(*resolved);

@@ -27,6 +27,7 @@ void addWalkVerb(CLI::App& program, const Console& console, Choice& choice);
 void addTourVerb(CLI::App& program, const Console& console, Choice& choice);
 void addPlacesVerb(CLI::App& program, const Console& console, Choice& choice);
 void addMapVerb(CLI::App& program, const Console& console, Choice& choice);
+void addWorldVerb(CLI::App& program, const Console& console, Choice& choice);
 void addDatVerb(CLI::App& program, const Console& console, Choice& choice);
 void addViewVerb(CLI::App& program, const Console& console, Choice& choice);
 void addBenchVerb(CLI::App& program, const Console& console, Choice& choice);

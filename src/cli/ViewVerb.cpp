@@ -202,7 +202,7 @@ Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options
     application.view = *view;
     if (options.hasViewpoint())
         application.start = [view = *view](const engine::WorldSource& source) {
-            return engine::resolvePlace(view, source.file);
+            return engine::resolvePlace(view, source);
         };
     return application;
 }

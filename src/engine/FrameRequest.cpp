@@ -65,9 +65,10 @@ Result<std::vector<double>> eachDoor(const world::World& world, const world::Wor
         open.push_back(door.open);
     for (const check::View::DoorState& state : states) {
         const auto isIt = [&](const auto& door) { return door.name == state.name; };
-        if (std::none_of(file.moving.doors.begin(), file.moving.doors.end(), isIt))
-            return tl::unexpected(unknownDoor(state.name, file));
         const auto found = std::find_if(world.doors.begin(), world.doors.end(), isIt);
+        if (found == world.doors.end() &&
+            std::none_of(file.moving.doors.begin(), file.moving.doors.end(), isIt))
+            return tl::unexpected(unknownDoor(state.name, file));
         if (found != world.doors.end())
             open[static_cast<std::size_t>(found - world.doors.begin())] = state.open;
     }

@@ -89,8 +89,11 @@ Result<void> Session::load(dat::BlockCoord centre) {
 Result<std::unique_ptr<PartPlanner>> Session::read(const PartTarget& target, unsigned threads,
                                                    world::LoadProgress* progress) const {
     LIMEN_ASSERT(threads > 0, "at least one thread reads");
+    const Result<world::MovingEntries> moving = movingAround(*source_, target.centre, target.options);
+    if (!moving)
+        return tl::unexpected(moving.error());
     Result<std::shared_ptr<const LoadedPart>> loaded =
-        loadPart(source_->archive, target, source_->file.moving, {cache_.get(), threads, progress});
+        loadPart(source_->archive, target, *moving, {cache_.get(), threads, progress});
     source_->archive.letPagesGo(); // the cache holds the records that the next part needs
     if (!loaded)
         return tl::unexpected(loaded.error());

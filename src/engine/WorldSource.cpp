@@ -28,7 +28,15 @@ Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch se
         if (archive->contains<dat::Setup>(kHumanMale))
             file->moving.player = kHumanMale;
     }
-    return WorldSource{{}, std::move(*archive), std::move(*file), "", isSearched};
+    std::unique_ptr<PlacedObjects> placed;
+    if (std::filesystem::exists(paths.directory / placements::kWorldDbName)) {
+        Result<placements::WorldDb> database =
+            placements::WorldDb::open(paths.directory / placements::kWorldDbName);
+        if (!database)
+            return tl::unexpected(database.error());
+        placed = std::make_unique<PlacedObjects>(std::move(*database));
+    }
+    return WorldSource{{}, std::move(*archive), std::move(*file), "", isSearched, std::move(placed)};
 }
 
 Result<WorldSource> openAt(const std::filesystem::path& path, PlaceSearch search,
@@ -55,6 +63,37 @@ Result<WorldSource> openBuiltIn(const SearchProgress& progress) {
 }
 
 } // namespace
+
+Result<world::MovingEntries> movingAround(const WorldSource& source, dat::BlockCoord centre,
+                                          const world::LoadOptions& options) {
+    world::MovingEntries moving = source.file.moving;
+    if (source.placed == nullptr)
+        return moving;
+    return source.placed->around(source.archive, centre, options)
+        .map([&](std::vector<world::PlacedEntry>&& placed) {
+            moving.placed = std::move(placed);
+            return std::move(moving);
+        });
+}
+
+Result<ViewRequest> resolvePlace(ViewRequest request, const WorldSource& source) {
+    Result<ViewRequest> resolved = resolvePlace(request, source.file);
+    if (resolved || source.placed == nullptr)
+        return resolved;
+    const Result<std::optional<world::Place>> object = source.placed->viewOf(request.place);
+    if (!object)
+        return tl::unexpected(object.error());
+    if (!*object)
+        return resolved;
+    ViewRequest view = requestAt(**object);
+    request.place.clear();
+    request.eye = view.eye;
+    request.isOnGround = false;
+    request.yaw = request.yaw.value_or(*view.yaw);
+    request.pitch = request.pitch.value_or(0.0);
+    request.root = request.root.value_or(*view.root);
+    return request;
+}
 
 Result<std::vector<world::Place>> tourOf(const WorldSource& source, const SearchProgress& progress) {
     if (source.isSearched || !source.file.tour.empty())

@@ -2,6 +2,8 @@
 
 #include "dat/Archive.h"
 #include "engine/BuiltInWorld.h"
+#include "engine/ViewRequest.h"
+#include "engine/placed/PlacedObjects.h"
 #include "engine/places/FoundPlaces.h"
 
 #include <optional>
@@ -14,8 +16,9 @@ struct WorldSource {
     std::optional<BuiltInWorld> builtIn; ///< keeps a temporary directory alive
     dat::Archive archive;
     world::WorldFile file;
-    std::string datOption;   ///< "" or " --dat DIR", for command lines in reports
-    bool isSearched = false; ///< places, start and tour of `file` are from the records
+    std::string datOption;                   ///< "" or " --dat DIR", for command lines in reports
+    bool isSearched = false;                 ///< places, start and tour of `file` are from the records
+    std::unique_ptr<PlacedObjects> placed{}; ///< of the world.db beside the files; null: there is none
 };
 
 /// Whether a world without world.json gets the places, start and tour that its records suggest. Skip saves the
@@ -28,6 +31,15 @@ enum class PlaceSearch { Find, Skip };
 [[nodiscard]] Result<WorldSource> openWorldSource(const std::string& path,
                                                   PlaceSearch search = PlaceSearch::Find,
                                                   const SearchProgress& progress = {});
+
+/// The dynamic objects for a load around `centre`: those of world.json, and the placed ones of world.db around it.
+/// Errors: a damaged world.db.
+[[nodiscard]] Result<world::MovingEntries> movingAround(const WorldSource& source, dat::BlockCoord centre,
+                                                        const world::LoadOptions& options);
+
+/// The same as resolvePlace() of ViewRequest.h for the places of `source`. A name that is no place can be that of an object of
+/// world.db. Errors: as there; a damaged world.db.
+[[nodiscard]] Result<ViewRequest> resolvePlace(ViewRequest request, const WorldSource& source);
 
 /// The world's tour; without one, the tour that its records suggest, also beside a world.json that has places
 /// only. May be empty. Records are searched once: not if `openWorldSource` did. Errors: a damaged index;

@@ -51,6 +51,8 @@ void addIdleObjects(const DynamicStateInput& input, DynamicInstances& instances)
         const BodyPose pose{glm::mat3_cast(orientationOf(idle, input.seconds)) * idle.scale, idle.origin};
         const CyclePoint point = cyclePoint(world, idle.body, world::Gait::Stand, 0.0, input.seconds);
         const std::size_t first = instances.addBody(idle.body, pose, point, idle.space);
+        for (std::size_t i = first; i < instances.count() && idle.opacity < 1.0; ++i)
+            instances.state().instances[i].opacity = static_cast<float>(idle.opacity);
         Sphere bounds = pose.placed(idle.body.bounds);
         bounds.radius *= idle.scale;
         instances.setSpaces(first, idle.isAlone ? instances.only(idle.space)

@@ -1,10 +1,10 @@
 #include "motion/Collisions.h"
 
 #include "core/Assert.h"
-#include "geometry/Compass.h"
 #include "geometry/ConvexPolygon.h"
 #include "geometry/Tolerances.h"
 #include "motion/Locate.h"
+#include "world/LeafPose.h"
 
 #include <algorithm>
 #include <btBulletCollisionCommon.h>
@@ -71,7 +71,20 @@ struct Collisions::Bodies {
         if (solid.leaf == world::kNone)
             bullet.addCollisionObject(objects.back().get());
         else
-            leaves.push_back({index, world.leaves[solid.leaf].hinge - solids.origin, reachOf(solid)});
+            leaves.push_back(hungLeaf(index, solid));
+    }
+
+    struct HungLeaf {
+        int index = 0;      ///< of its solid
+        Vec3 hinge{0.0};    ///< the middle of the sphere that it stays in, relative to Solids::origin
+        double reach = 0.0; ///< the radius of that sphere
+    };
+    [[nodiscard]] HungLeaf hungLeaf(int index, const world::Solid& solid) const {
+        const world::Leaf& leaf = world.leaves[solid.leaf];
+        if (leaf.keyCount == 0)
+            return {index, leaf.hinge - solids.origin, reachOf(solid)};
+        const Sphere reach = world::leafReach(world, leaf);
+        return {index, reach.centre - solids.origin, std::max(reach.radius, 0.0)};
     }
 
     /// The largest distance of a leaf's corners from its hinge; metres.
@@ -93,11 +106,6 @@ struct Collisions::Bodies {
     std::vector<std::unique_ptr<btTriangleIndexVertexArray>> meshes;
     std::vector<std::unique_ptr<btBvhTriangleMeshShape>> shapes;
     std::vector<std::unique_ptr<btCollisionObject>> objects; ///< by solid
-    struct HungLeaf {
-        int index = 0;   ///< of its solid
-        Vec3 hinge{0.0}; ///< relative to Solids::origin
-        double reach = 0.0;
-    };
     /// `door`: the only door to leave; kNone: all solids.
     [[nodiscard]] Vec3 wayOut(const Capsule& capsule, const Standing& standing, std::span<const double> open,
                               std::uint32_t door);
@@ -127,10 +135,10 @@ public:
     [[nodiscard]] btTransform poseOf(int index) const {
         const world::Solid& solid = solidAt(index);
         const world::Leaf& leaf = world_.leaves[solid.leaf];
-        const Mat3 turn = turnedTo(leaf.yaw + leaf.swing * openness(solid.door));
+        const auto [turn, origin] = world::leafPose(world_, leaf, openness(solid.door));
         return btTransform(btMatrix3x3(turn[0][0], turn[1][0], turn[2][0], turn[0][1], turn[1][1], turn[2][1],
                                        turn[0][2], turn[1][2], turn[2][2]),
-                           toBullet(leaf.hinge - solids_.origin));
+                           toBullet(origin - solids_.origin));
     }
 
     /// Whether the body collides with a solid at a point. `at`: the point, relative to Solids::origin.

@@ -1,7 +1,7 @@
 #include "motion/DoorInstances.h"
 
 #include "core/Assert.h"
-#include "geometry/Compass.h"
+#include "world/LeafPose.h"
 
 namespace limen::motion {
 namespace {
@@ -14,16 +14,25 @@ double opennessOf(const world::World& world, const DynamicStateInput& input, std
     return door < input.doors.size() ? input.doors[door] : world.doors[door].open;
 }
 
+/// A pose with the scale of a mesh.
+BodyPose scaled(BodyPose pose, const Vec3& scale) {
+    for (int axis = 0; axis < 3; ++axis)
+        pose.linear[axis] *= scale[axis];
+    return pose;
+}
+
 /// Leaves belong to both sides of their portal, shut or not, and to the spaces that they reach from there.
 void addLeaves(const world::Door& door, double open, DynamicInstances& instances) {
     const world::World& world = instances.world();
     const world::Portal& portal = world.portals[door.portal];
     for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l) {
         const world::Leaf& leaf = world.leaves[l];
-        const BodyPose pose{turnedTo(leaf.yaw + leaf.swing * open), leaf.hinge};
+        const world::LeafPose at = world::leafPose(world, leaf, open);
+        const BodyPose pose{at.turn, at.origin};
         const bool isShut = open == 0.0 && leaf.shut.partCount > 0;
         const std::size_t first =
-            isShut ? instances.addInPlace(leaf.shut) : instances.addBody(leaf.body, pose, {}, portal.space);
+            isShut ? instances.addInPlace(leaf.shut)
+                   : instances.addBody(leaf.body, scaled(pose, leaf.scale), {}, portal.space);
         instances.setSpaces(first, instances.reachedFromSidesOf(portal, pose.placed(leaf.body.bounds)));
     }
 }

@@ -2,10 +2,10 @@
 
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
+#include "world/LeafPose.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace limen::motion {
 namespace {
@@ -19,12 +19,8 @@ constexpr int kMostPushes = 8;     // each along the obstacle that the last one 
 /// Metres that the farthest point of a door's leaves moves in a full swing.
 double wayOfLeaves(const world::World& world, const world::Door& door) {
     double way = 0.0;
-    for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l) {
-        const world::Leaf& leaf = world.leaves[l];
-        const double reach =
-            std::hypot(leaf.body.bounds.centre.x, leaf.body.bounds.centre.y) + leaf.body.bounds.radius;
-        way = std::max(way, reach * std::abs(leaf.swing) * std::numbers::pi / 180.0);
-    }
+    for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l)
+        way = std::max(way, world::leafWay(world, world.leaves[l]));
     return way;
 }
 
@@ -32,8 +28,8 @@ double wayOfLeaves(const world::World& world, const world::Door& door) {
 bool isNear(const world::World& world, const world::Door& door, const Vec3& middle, const Capsule& capsule) {
     const auto leaves = std::span(world.leaves).subspan(door.firstLeaf, door.leafCount);
     const bool isNearLeaf = std::any_of(leaves.begin(), leaves.end(), [&](const world::Leaf& leaf) {
-        const Sphere& bounds = leaf.body.bounds;
-        return glm::length(leaf.hinge - middle) < glm::length(bounds.centre) + bounds.radius + capsule.height;
+        const Sphere reach = world::leafReach(world, leaf);
+        return glm::length(reach.centre - middle) < reach.radius + capsule.height;
     });
     const world::Portal& portal = world.portals[door.portal];
     return isNearLeaf ||

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
+#include "world/LeafPose.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 namespace limen::motion {
 namespace {
 
-constexpr double kSwing = 1.0;      // seconds from shut to open
 constexpr double kReach = 2.5;      // metres from the eye to the opening
 constexpr double kLeastAhead = 0.5; // cosine of the angle between gaze and opening
 constexpr double kUnitGaze = 1e-6;  // the square of a unit vector's length is off 1 by less
@@ -18,7 +18,7 @@ constexpr double kUnitGaze = 1e-6;  // the square of a unit vector's length is o
 bool canSwing(const world::World& world, const world::Door& door) {
     const auto leaves = std::span(world.leaves).subspan(door.firstLeaf, door.leafCount);
     return std::any_of(leaves.begin(), leaves.end(),
-                       [](const world::Leaf& leaf) { return leaf.swing != 0.0; });
+                       [&](const world::Leaf& leaf) { return world::canMove(world, leaf); });
 }
 
 /// The cosine of the angle between the gaze and an opening: 1 if the gaze passes through, else that of the
@@ -50,13 +50,13 @@ double aheadOf(std::span<const Vec3> outline, const Plane& plane, const Vec3& ey
 } // namespace
 
 void DoorUse::use(const world::Door& door) {
-    const auto swing = swings_.try_emplace(door.name, Swing{door.open, door.open > 0.0}).first;
+    const auto swing = swings_.try_emplace(door.name, Swing{door.open, door.open > 0.0, door.seconds}).first;
     swing->second.opens = !swing->second.opens;
 }
 
 void DoorUse::put(const world::Door& door, double open) {
     LIMEN_ASSERT(open >= 0.0 && open <= 1.0, "openness is 0..1");
-    swings_[door.name] = {open, open > 0.0};
+    swings_[door.name] = {open, open > 0.0, door.seconds};
 }
 
 void DoorUse::putAll(const world::World& world, double open) {
@@ -65,7 +65,7 @@ void DoorUse::putAll(const world::World& world, double open) {
 }
 
 void DoorUse::swingFurther(Swing& swing, double seconds) {
-    swing.open = std::clamp(swing.open + (swing.opens ? seconds : -seconds) / kSwing, 0.0, 1.0);
+    swing.open = std::clamp(swing.open + (swing.opens ? seconds : -seconds) / swing.length, 0.0, 1.0);
 }
 
 void DoorUse::pass(double seconds) {

@@ -20,7 +20,7 @@ public:
     void put(const world::Door& door, double open);
     /// Sets the openness of every door of a world, 0..1, at once.
     void putAll(const world::World& world, double open);
-    /// Swings all doors further; a full swing takes one second.
+    /// Swings all doors further; a full swing takes Door::seconds.
     void pass(double seconds);
     /// The same beside a body, which gives way or stops them (motion::swing).
     void pass(double seconds, const Collisions& around, BodyState& body, const BodyShape& shape = {});
@@ -33,6 +33,7 @@ private:
     struct Swing {
         double open = 0.0;
         bool opens = false;
+        double length = 1.0; ///< seconds of a full swing
     };
     static void swingFurther(Swing& swing, double seconds);
     std::map<std::string, Swing, std::less<>> swings_; ///< by name

@@ -68,7 +68,7 @@ engine::Passage RecordedResidency::open(dat::BlockCoord centre) {
 
 Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(engine::Session& session, WalkRecord record,
                                                              const engine::ViewRequest& start) {
-    Result<engine::ViewRequest> view = engine::resolvePlace(start, session.source().file);
+    Result<engine::ViewRequest> view = engine::resolvePlace(start, session.source());
     if (!view)
         return tl::unexpected(view.error());
     view->size = record.frames.front().input.size;

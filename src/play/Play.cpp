@@ -3,6 +3,7 @@
 #include "core/Assert.h"
 #include "engine/Quality.h"
 #include "engine/map/MapCoordinates.h"
+#include "motion/TravelReach.h"
 #include "play/FlyCamera.h"
 
 #include <algorithm>
@@ -123,16 +124,33 @@ void Play::standDoors(double open) {
         request_.scene.doors = open < 0.0 ? std::nullopt : std::make_optional(std::min(open, 1.0));
 }
 
-/// Ends the state that all doors share: from now on each door keeps its own openness.
+/// Ends the state that all doors share: from now on each door keeps its own openness. Without a door, a travel portal is
+/// used.
 void Play::useDoor() {
     if (!door_)
-        return;
+        return useTravel();
     const world::World& world = session_.part().world;
     if (request_.scene.doors)
         doors_.putAll(world, *request_.scene.doors);
     request_.scene.doors.reset();
     doorsTowards_.reset();
     doors_.use(world.doors[*door_]);
+}
+
+void Play::useTravel() {
+    const world::World& world = session_.part().world;
+    const std::optional<std::size_t> portal =
+        motion::travelInReach(world, request_.camera.eye, engine::basisOf(request_.camera.heading).forward);
+    if (!portal)
+        return;
+    const world::TravelEntry& to = *world.placed[*portal].travel;
+    engine::ViewRequest view;
+    view.eye = to.feet + Vec3(0.0, 0.0, engine::kEyeHeight);
+    view.yaw = to.yaw;
+    view.pitch = 0.0;
+    view.root = to.cell != 0 ? engine::RootChoice{engine::RootChoice::Rule::Cell, to.cell}
+                             : engine::RootChoice{engine::RootChoice::Rule::Auto, 0};
+    going_ = {std::move(view), world.placed[*portal].name};
 }
 
 void Play::goTo(std::size_t place) {

@@ -41,6 +41,7 @@ private:
     void swingDoors();
     void standDoors(double open);
     void useDoor();
+    void useTravel();
     void goTo(std::size_t place);
     void goTo(const Vec2& point);
     [[nodiscard]] Result<void> travel();

@@ -13,7 +13,7 @@ enum class PlayActKind : std::uint8_t {
     Walk,     ///< switch between walking with a body and flying
     Chase,    ///< switch between third person and first person
     Doors,    ///< open all doors, or close them
-    Use,      ///< open the door in reach, or close it
+    Use,      ///< open the door in reach, or close it; else go through the travel portal in reach
     Weather,  ///< switch between clear and rain
     Place,    ///< go to one of the world's places: `value` is its index
     Time,     ///< set the time of day to `value`

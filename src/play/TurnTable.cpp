@@ -105,8 +105,7 @@ world::SpaceIndex turnTableRoot(const world::World& world, world::SpaceIndex roo
 }
 
 Result<std::unique_ptr<FrameSource>> openTurnTable(engine::Session& session, TurnTableRequest request) {
-    Result<engine::ViewRequest> centre =
-        engine::resolvePlace(std::move(request.centre), session.source().file);
+    Result<engine::ViewRequest> centre = engine::resolvePlace(std::move(request.centre), session.source());
     if (!centre)
         return tl::unexpected(centre.error());
     if (Result<void> loaded = session.load(engine::centreOf(*centre)); !loaded)

@@ -4,6 +4,7 @@
 #include "geometry/Bounds.h"
 #include "world/Cycle.h"
 #include "world/Index.h"
+#include "world/PlacedEntry.h"
 
 #include <cstdint>
 #include <string>
@@ -24,7 +25,15 @@ struct MovingBody {
     friend bool operator==(const MovingBody&, const MovingBody&) = default;
 };
 
-/// One leaf of a door, or a pane. It rotates about the vertical axis through its hinge.
+/// A pose of a door leaf: global space from the leaf's own, without its scale.
+struct LeafKey {
+    Quat orientation{1.0, 0.0, 0.0, 0.0};
+    Vec3 origin{0.0};
+    friend bool operator==(const LeafKey&, const LeafKey&) = default;
+};
+
+/// One leaf of a door, or a pane. It rotates about the vertical axis through its hinge, or follows keys
+/// (LeafPose.h).
 struct Leaf {
     dat::RecordId model = 0; ///< a GfxObj or Setup
     MovingBody body;
@@ -34,6 +43,10 @@ struct Leaf {
     /// Its parts in the shut position, block-local, with the corners of the walls around. None for leaves of
     /// opaque doors, whose openings have a filling.
     MovingBody shut;
+    /// Run of World::leafKeys, from shut to open at equal intervals; none: it rotates about its hinge. Then `body.bounds`
+    /// is scaled, and `yaw` and `swing` are not used.
+    std::uint32_t firstKey = kNone, keyCount = 0;
+    Vec3 scale{1.0}; ///< of its mesh; 1 without keys
     friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 
@@ -44,6 +57,7 @@ struct Door {
     PortalIndex reciprocal = kNone; ///< kNone: one-way
     bool opaque = true;
     double open = 0.0;                          ///< initially: 0 closed .. 1 open
+    double seconds = 1.0;                       ///< from closed to open
     std::uint32_t firstLeaf = 0, leafCount = 0; ///< run of World::leaves
     /// World::movingParts: the portal's polygon, facing both ways, drawn while the door is shut. kNone for
     /// glass.
@@ -110,6 +124,23 @@ struct IdleObject {
     Vec3 spin{0.0}; ///< radians a second, about an axis in its own frame
     SpaceIndex space = kOutside;
     bool isAlone = false; ///< it reaches no other space, even with all doors open
+    double opacity = 1.0; ///< multiplies that of its blended surfaces
+};
+
+/// An object of a world database that is in the world: drawn by its instances, its idle object or its door.
+struct PlacedObject {
+    std::uint64_t object = 0; ///< the identity of its instances
+    std::uint32_t templateId = 0;
+    std::string name;
+    dat::RecordId model = 0;
+    Vec3 origin{0.0}; ///< global
+    Quat orientation{1.0, 0.0, 0.0, 0.0};
+    double scale = 1.0;
+    SpaceIndex space = kOutside;
+    bool stopsBodies = true;
+    bool isHung = false;               ///< a door in its opening; its leaves stop bodies
+    std::optional<TravelEntry> travel; ///< of a travel portal
+    friend bool operator==(const PlacedObject&, const PlacedObject&) = default;
 };
 
 /// A static object whose membership depends on the state of doors.

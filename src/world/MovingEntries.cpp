@@ -10,7 +10,7 @@ using Json = nlohmann::json;
 bool read(const Json& object, LeafEntry& out) {
     return readId(object, "model", out.model) && out.model != 0 &&
            readField(object, "position", out.position) && readField(object, "yaw", out.yaw) &&
-           readField(object, "swing", out.swing);
+           readField(object, "swing", out.swing) && readId(object, "motionTable", out.motionTable);
 }
 
 bool read(const Json& object, RouteEntry::Point& out) {

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 #include "dat/Ids.h"
 #include "geometry/Vec.h"
+#include "world/PlacedEntry.h"
 
 #include <array>
 #include <nlohmann/json_fwd.hpp>
@@ -17,6 +18,8 @@ struct LeafEntry {
     dat::RecordId model = 0;
     Vec3 position{0.0};
     double yaw = 0.0, swing = 0.0;
+    dat::RecordId motionTable =
+        0; ///< that opens the model as the swing does, for rows of a database; 0: none
 };
 
 struct DoorEntry {
@@ -44,15 +47,6 @@ struct PlayEntry {
     double intensity = 0.0;
 };
 
-/// One garment: a ClothingTable and its colours.
-struct ClothingEntry {
-    dat::RecordId table = 0;
-    std::uint32_t palette = 0; ///< one of its palette templates; 0: colours unchanged
-    /// One to four, by palette change of the template; later changes have the last. Each picks a palette of a
-    /// set: 0 the first .. 1 the last. Outside 0..1 the change has no effect.
-    std::vector<double> shades{0.5};
-};
-
 struct VillagerEntry {
     std::string name, route;
     dat::RecordId model = 0;
@@ -76,7 +70,8 @@ struct MovingEntries {
     std::vector<RouteEntry> routes;
     std::vector<VillagerEntry> villagers;
     std::vector<EmitterEntry> emitters;
-    dat::RecordId player = 0; ///< model of the player's body; 0: it is not drawn
+    std::vector<PlacedEntry> placed; ///< of a world database, not of world.json
+    dat::RecordId player = 0;        ///< model of the player's body; 0: it is not drawn
     std::vector<ClothingEntry> playerClothing;
     dat::RecordId playerPalette = 0; ///< as VillagerEntry::basePalette
     bool rain = false;               ///< whether it rains at the start

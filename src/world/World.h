@@ -301,12 +301,14 @@ struct World {
     std::vector<PartFrame> partFrames; ///< by frame, then by part
     std::vector<Door> doors;
     std::vector<Leaf> leaves;
+    std::vector<LeafKey> leafKeys;
     std::vector<Route> routes;
     std::vector<RoutePoint> routePoints;
     std::vector<Villager> villagers;
     std::vector<Emitter> emitters;
     Player player;
     std::vector<IdleObject> idleObjects;
+    std::vector<PlacedObject> placed;
     std::vector<ParticleStyle> particleStyles;
     std::vector<ParticleSource> particleSources;
     std::vector<LooseObject> looseObjects;

@@ -24,6 +24,7 @@ std::map<std::string, Names> allowedRooms() {
         {"geometry", {"core"}},
         {"dat", {"core", "geometry"}},
         {"worlds", {"core", "geometry", "dat"}},
+        {"placements", {"core"}},
         {"world", {"core", "geometry", "dat"}},
         {"motion", {"core", "geometry", "dat", "world"}},
         {"visibility", {"core", "geometry"}},
@@ -33,7 +34,7 @@ std::map<std::string, Names> allowedRooms() {
         {"check", {"core", "geometry", "dat", "world", "motion", "reference"}},
         {"engine",
          {"core", "geometry", "dat", "worlds", "world", "motion", "visibility", "frame", "gpu", "reference",
-          "check"}},
+          "check", "placements"}},
     };
     // The rooms above the engine are layers: each may include the one below it and all that this one may include.
     std::string below = "engine";

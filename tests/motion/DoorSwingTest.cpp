@@ -3,6 +3,7 @@
 #include "motion/DoorUse.h"
 #include "motion/Hut.h"
 #include "motion/Walker.h"
+#include "support/PlacedHut.h"
 
 #include <random>
 
@@ -98,6 +99,54 @@ TEST(DoorLeaf, aShutPaneStopsABodyThoughItStopsNoRay) {
     walker.put({7, 11.5, 2.01}, kOutside);
     walker.go(kYawEast, 2.0);
     EXPECT_NEAR(walker.feet().x, 10.0 - kBodyRadius, kNearLeaf);
+}
+
+/// The same hut with the same door, from a world database.
+struct PlacedDoorHut : DoorHut {
+    explicit PlacedDoorHut(double swing = -90.0) {
+        dat::Setup setup;
+        setup.parts = {leaf};
+        world::PlacedEntry entry;
+        entry.kind = world::PlacedEntry::Kind::Door;
+        entry.id = 1;
+        entry.name = "front";
+        entry.model = source.addSetup(setup);
+        entry.motionTable = test::addSwingTable(source, 0x09000101, 0x03000101, swing);
+        entry.block = source.home();
+        entry.position = at({10, 11, 2});
+        moving.doors.clear();
+        moving.placed = {entry};
+    }
+};
+
+TEST(DoorLeaf, ofADatabaseStopsABodyAtItsFace) {
+    PlacedDoorHut hut;
+    Swung s(hut);
+    s.put({7, 11.5, 2.01}, kOutside);
+    s.walker.go(kYawEast, 2.0);
+    EXPECT_NEAR(s.walker.feet().x, 10.0 - kHalfLeaf - kBodyRadius, kNearLeaf) << "shut";
+    s.walker.doors = {1.0}; // along the line y = 11, from x = 9 to 10
+    s.put({7, 11.5, 2.01}, kOutside);
+    s.walker.go(kYawEast, 2.5);
+    EXPECT_EQ(s.walker.body.standing.space, s.walker.space(hut.front)) << "open";
+    s.put({9.4, 9.5, 2.01}, kOutside);
+    s.walker.go(kYawNorth, 2.0);
+    EXPECT_NEAR(s.walker.feet().y, 11.0 - kHalfLeaf - kBodyRadius, kNearLeaf) << "the open leaf";
+}
+
+TEST(DoorSwing, ofADatabasePushesABodyAsTheSameDoorOfWorldJson) {
+    for (const Vec3& at : {Vec3(9.5, 11.5, 2.01), Vec3(9.2, 11.9, 2.01), Vec3(9.6, 11.2, 2.01)}) {
+        DoorHut json;
+        PlacedDoorHut placed;
+        Swung a(json), b(placed);
+        a.put(at, kOutside);
+        b.put(at, kOutside);
+        a.swingTo(1.0);
+        b.swingTo(1.0);
+        EXPECT_NEAR(a.walker.doors[0], b.walker.doors[0], 1e-9);
+        EXPECT_LT(glm::length(a.walker.feet() - b.walker.feet()), 0.01);
+        EXPECT_LT(b.deepest, 0.002);
+    }
 }
 
 TEST(DoorSwing, pushesABodyBeforeIt) {

@@ -87,6 +87,16 @@ TEST_F(References, ofMotionsResolve) {
         EXPECT_TRUE(setup.animation == 0 || animations.count(setup.animation) == 1);
         played.insert(setup.animation);
     }
+    // Tables that open doors are named by the leaves in world.json, from which the rows of a database are made.
+    for (const auto& door : world().worldFile.at("doors")) {
+        for (const auto& leaf : door.at("leaves")) {
+            const auto id = static_cast<std::uint32_t>(
+                std::stoul(leaf.value("motionTable", std::string("0x0")), nullptr, 16));
+            EXPECT_TRUE(id == 0 || tables.count(id) == 1) << "a motion table that is not there";
+            EXPECT_EQ(id != 0, door.at("opaque").get<bool>()) << "opaque doors have one, panes have none";
+            used.insert(id);
+        }
+    }
     for (const dat::MotionTable& table : world().motionTables) {
         EXPECT_EQ(dat::kindOf(dat::FileRole::Portal, table.id), dat::RecordKind::MotionTable);
         EXPECT_EQ(used.count(table.id), 1u) << "an unused motion table";

@@ -17,6 +17,12 @@ Picked pickedPixel(const world::World& world, const IdTable& table, const world:
     picked.distance = distance;
     if (const world::Instance* instance = table.instance(id); instance != nullptr) {
         picked.object = instance->object;
+        const auto placed =
+            std::find_if(world.placed.begin(), world.placed.end(), [&](const world::PlacedObject& object) {
+                return object.object == instance->object;
+            });
+        if (placed != world.placed.end())
+            picked.placed = fmt::format("{}, template {}", placed->name, placed->templateId);
         picked.isLandscape = instance->kind == world::InstanceKind::Terrain;
     }
     while (visit < visible.visits.size()) {
@@ -32,6 +38,8 @@ Picked pickedPixel(const world::World& world, const IdTable& table, const world:
 std::vector<std::string> pickedLines(const Picked& picked) {
     const IdMeaning& meaning = picked.meaning;
     std::vector<std::string> lines;
+    if (!picked.placed.empty())
+        lines.push_back(picked.placed);
     if (meaning.object.empty()) {
         lines.push_back(meaning.kind);
     } else {

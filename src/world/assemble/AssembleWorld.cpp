@@ -3,6 +3,7 @@
 #include "world/assemble/DoorAssembler.h"
 #include "world/assemble/EmitterAssembler.h"
 #include "world/assemble/ObjectAssembler.h"
+#include "world/assemble/PlacedAssembler.h"
 #include "world/assemble/SkyAssembler.h"
 #include "world/assemble/SpaceAssembler.h"
 #include "world/assemble/StructureAssembler.h"
@@ -57,12 +58,14 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
     TerrainAssembler terrain(region, materials, arena, world);
     StructureAssembler structures(runs, arena, world);
     ObjectAssembler objects(idle, particles, models, runs, arena, world);
+    PlacedAssembler placed(moving.placed, records, objects, world);
     while (const std::shared_ptr<const BlockContent> content = nextBlock()) {
         records.report(content->recordFindings);
         const JoiningBlock block = spaces.add(*content);
         terrain.add(block);
         structures.add(block);
         objects.add(block);
+        placed.add(block);
         append(content->findings, world);
     }
     spaces.finish();
@@ -70,6 +73,8 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
     DoorAssembler doors(bodies, models, runs, arena, world);
     for (std::size_t i = 0; i < moving.doors.size(); ++i)
         doors.add(moving.doors[i], i);
+    PlacedDoorAssembler placedDoors(records, models, doors, bodies, world);
+    placed.addDoors(placedDoors);
     VillagerAssembler villagers(records, bodies, particles, world);
     for (std::size_t i = 0; i < moving.villagers.size(); ++i)
         villagers.add(moving.villagers[i], i, moving.routes);

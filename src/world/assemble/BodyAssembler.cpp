@@ -39,7 +39,7 @@ MovingBody BodyAssembler::add(dat::RecordId modelId, InstanceKind kind, std::uin
     }
     body.partCount = static_cast<std::uint32_t>(world_.movingParts.size()) - body.firstPart;
     if (!isFilling)
-        addCycles(modelId, posed, body);
+        addCycles(modelId, options.motionTable, posed, body);
     return body;
 }
 
@@ -50,9 +50,10 @@ std::vector<ModelPart> BodyAssembler::partsOf(const Model& model, bool nearestOn
     return parts;
 }
 
-void BodyAssembler::addCycles(dat::RecordId model, std::span<const PosedPart> posed, MovingBody& body) {
+void BodyAssembler::addCycles(dat::RecordId model, dat::RecordId motionTable,
+                              std::span<const PosedPart> posed, MovingBody& body) {
     LIMEN_ASSERT(posed.size() == body.partCount, "one pose for each part");
-    body.cycles = cycles_.of(model);
+    body.cycles = cycles_.of(model, motionTable);
     if (std::all_of(body.cycles.begin(), body.cycles.end(), [](std::uint32_t c) { return c == kNone; }))
         return;
     body.firstPosed = static_cast<std::uint32_t>(world_.posedParts.size());

@@ -12,7 +12,8 @@ enum class DynamicObject : std::uint64_t {
     Villager = 0xF2,
     Sprite = 0xF3,
     Player = 0xF4,
-    Particle = 0xF5
+    Particle = 0xF5,
+    Placed = 0xF6
 };
 [[nodiscard]] constexpr std::uint64_t dynamicObject(DynamicObject kind, std::size_t index) {
     return static_cast<std::uint64_t>(kind) << 56 | static_cast<std::uint64_t>(index);
@@ -23,6 +24,7 @@ struct BodyOptions {
     double scale = 1.0;        ///< of the placed object: levels of detail change so much farther away
     bool isAlwaysNear = false; ///< only the nearest level of detail
     Dress dress{};
+    dat::RecordId motionTable = 0; ///< in place of the Setup's own; 0: that one
 };
 
 /// Adds bodies to World::movingParts: the posed parts of one model, with the cycles that its Setup names.
@@ -41,7 +43,8 @@ public:
 private:
     [[nodiscard]] static std::vector<ModelPart> partsOf(const Model& model, bool nearestOnly);
     /// Requires: the body's parts are the last ones added.
-    void addCycles(dat::RecordId model, std::span<const PosedPart> posed, MovingBody& body);
+    void addCycles(dat::RecordId model, dat::RecordId motionTable, std::span<const PosedPart> posed,
+                   MovingBody& body);
 
     Models& models_;
     MaterialRuns& materials_;

@@ -38,20 +38,20 @@ bool isNear(const PartFrame& frame, const PosedPart& posed, const Instance& rest
 
 } // namespace
 
-std::array<std::uint32_t, kGaits> Cycles::of(dat::RecordId model) {
-    const auto [entry, fresh] = bySetup_.try_emplace(model, std::array{kNone, kNone, kNone});
+std::array<std::uint32_t, kGaits> Cycles::of(dat::RecordId model, dat::RecordId motionTable) {
+    const auto [entry, fresh] =
+        bySetup_.try_emplace(std::pair(model, motionTable), std::array{kNone, kNone, kNone});
     if (!fresh || !isSetup(model))
         return entry->second;
     if (const dat::Setup* setup = records_.setup(model))
-        entry->second = read(*setup);
+        entry->second = read(*setup, motionTable != 0 ? motionTable : setup->motionTable);
     return entry->second;
 }
 
-std::array<std::uint32_t, kGaits> Cycles::read(const dat::Setup& setup) {
+std::array<std::uint32_t, kGaits> Cycles::read(const dat::Setup& setup, dat::RecordId motionTable) {
     std::array<std::uint32_t, kGaits> cycles{kNone, kNone, kNone};
     const auto stand = static_cast<std::size_t>(Gait::Stand);
-    const dat::MotionTable* table =
-        setup.motionTable != 0 ? records_.motionTable(setup.motionTable) : nullptr;
+    const dat::MotionTable* table = motionTable != 0 ? records_.motionTable(motionTable) : nullptr;
     if (table != nullptr) {
         if (const std::uint32_t* substate = findKey(table->styleDefaults, table->defaultStyle))
             cycles[stand] = addCycle(*table, *substate);
@@ -128,10 +128,10 @@ const Cycles::Frames& Cycles::framesOf(dat::RecordId animation) {
     return frames;
 }
 
-Vec3 Cycles::spinOf(dat::RecordId model) {
+Vec3 Cycles::spinOf(dat::RecordId model, dat::RecordId motionTable) {
     const dat::Setup* setup = isSetup(model) ? records_.setup(model) : nullptr;
-    const dat::MotionTable* table =
-        setup != nullptr && setup->motionTable != 0 ? records_.motionTable(setup->motionTable) : nullptr;
+    const dat::RecordId id = setup == nullptr ? 0 : motionTable != 0 ? motionTable : setup->motionTable;
+    const dat::MotionTable* table = id != 0 ? records_.motionTable(id) : nullptr;
     const std::uint32_t* substate =
         table != nullptr ? findKey(table->styleDefaults, table->defaultStyle) : nullptr;
     const dat::MotionData* data = substate != nullptr

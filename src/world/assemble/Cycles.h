@@ -2,6 +2,7 @@
 
 #include "world/records/Records.h"
 
+#include <map>
 #include <optional>
 
 namespace limen::world {
@@ -15,12 +16,12 @@ public:
 
     /// By Gait, as in MovingBody::cycles. Stand is the default substate of the motion table's default style,
     /// else the Setup's own animation. Walk and Run are of the same style. All kNone for a GfxObj and for a
-    /// Setup without motion table and animation.
-    [[nodiscard]] std::array<std::uint32_t, kGaits> of(dat::RecordId model);
+    /// Setup without motion table and animation. `motionTable`: in place of the Setup's own; 0: that one.
+    [[nodiscard]] std::array<std::uint32_t, kGaits> of(dat::RecordId model, dat::RecordId motionTable = 0);
 
     /// The rotation of a whole model while it stands: radians a second, about an axis in its own frame. Zero
     /// for most models.
-    [[nodiscard]] Vec3 spinOf(dat::RecordId model);
+    [[nodiscard]] Vec3 spinOf(dat::RecordId model, dat::RecordId motionTable = 0);
 
     /// A hook of a frame, and the times at which a cycle passes it.
     struct Hook {
@@ -36,7 +37,7 @@ private:
     struct Frames {
         std::uint32_t first = 0, partCount = 0, frameCount = 0;
     };
-    [[nodiscard]] std::array<std::uint32_t, kGaits> read(const dat::Setup& setup);
+    [[nodiscard]] std::array<std::uint32_t, kGaits> read(const dat::Setup& setup, dat::RecordId motionTable);
     /// kNone if no range has frames.
     [[nodiscard]] std::uint32_t addCycle(std::span<const dat::AnimationRange> ranges, const Vec3& velocity);
     [[nodiscard]] std::uint32_t addCycle(const dat::MotionTable& table, std::uint32_t substate);
@@ -46,7 +47,8 @@ private:
 
     Records& records_;
     World& world_;
-    std::unordered_map<dat::RecordId, std::array<std::uint32_t, kGaits>> bySetup_;
+    /// By Setup and motion table.
+    std::map<std::pair<dat::RecordId, dat::RecordId>, std::array<std::uint32_t, kGaits>> bySetup_;
     std::unordered_map<dat::RecordId, Frames> byAnimation_;
     struct Source {
         const dat::Animation* animation = nullptr;

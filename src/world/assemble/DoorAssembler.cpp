@@ -82,6 +82,13 @@ void DoorAssembler::add(const DoorEntry& entry, std::size_t index) {
     world_.doors.push_back(std::move(door));
 }
 
+void DoorAssembler::addPlaced(Door door, std::uint64_t object) {
+    LIMEN_ASSERT(door.portal < world_.portals.size(), "a door fills a portal of the world");
+    if (door.opaque && world_.portals[door.portal].cornerCount >= 3)
+        door.filling = addFilling(door, object);
+    world_.doors.push_back(std::move(door));
+}
+
 void DoorAssembler::addLeaf(const LeafEntry& entry, const Door& door, std::uint64_t object) {
     const Portal& portal = world_.portals[door.portal];
     world_.leaves.push_back({entry.model,

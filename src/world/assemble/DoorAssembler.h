@@ -17,6 +17,9 @@ public:
     /// loaded, and, with a finding, if the cell has no such portal.
     void add(const DoorEntry& entry, std::size_t index);
 
+    /// Adds a door whose leaves are in the World already, with its filling.
+    void addPlaced(Door door, std::uint64_t object);
+
 private:
     void addLeaf(const LeafEntry& leaf, const Door& door, std::uint64_t object);
     /// The parts of a pane in its shut position, block-local, with the corners of the opening.

@@ -13,7 +13,7 @@ public:
 
     /// Yields its index in World::idleObjects. kNone, with no instance added, for an object that does not
     /// move.
-    [[nodiscard]] std::uint32_t add(const PlacedModel& object, const JoiningBlock& block);
+    [[nodiscard]] std::uint32_t add(const PlacedModel& object, const ObjectSite& site);
 
 private:
     BodyAssembler& bodies_;

@@ -5,6 +5,13 @@
 
 namespace limen::world {
 
+/// The place of an object in a World.
+struct ObjectSite {
+    std::uint32_t block = 0;  ///< index into World::blocks
+    Vec3 blockOrigin{0.0};    ///< global, metres
+    SpaceIndex space = kNone; ///< that it stands in
+};
+
 /// A block while it joins a World: its content, and the offsets that make its indices and positions global.
 struct JoiningBlock {
     const BlockContent& content;
@@ -21,6 +28,8 @@ struct JoiningBlock {
         LIMEN_ASSERT(local < content.cells.size(), "a cell of this block");
         return firstSpace + local;
     }
+    /// The site of an object in that cell.
+    [[nodiscard]] ObjectSite siteOf(std::uint32_t local) const { return {index, origin, spaceOf(local)}; }
 };
 
 } // namespace limen::world

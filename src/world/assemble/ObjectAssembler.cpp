@@ -22,35 +22,38 @@ Sphere placedSphere(const Sphere& sphere, const Mat3& linear, const Vec3& origin
 
 void ObjectAssembler::add(const JoiningBlock& block) {
     for (const PlacedModel& object : block.content.objects)
-        addObject(object, block);
+        addObject(object, block.siteOf(object.cell));
 }
 
-void ObjectAssembler::addObject(const PlacedModel& object, const JoiningBlock& block) {
-    const Model& model = models_.model(object.model);
+void ObjectAssembler::addObject(const PlacedModel& object, const ObjectSite& site) {
+    // A model with other meshes is read anew; all others are shared.
+    const bool hasParts = object.dress != nullptr && !object.dress->parts.empty();
+    const Model dressed = hasParts ? models_.dressed(object.model, *object.dress) : Model();
+    const Model& model = hasParts ? dressed : models_.model(object.model);
     const Mat3 linear = glm::mat3_cast(object.orientation) * object.scale;
-    const Vec3 origin = block.origin + object.origin;
-    const std::uint32_t idle = idle_.add(object, block);
+    const Vec3 origin = site.blockOrigin + object.origin;
+    const std::uint32_t idle = idle_.add(object, site);
     if (idle == kNone)
-        addStatic(object, model, placedSphere(model.bounds, linear, origin), block);
-    particles_.addToObject(object, idle, block);
+        addStatic(object, model, placedSphere(model.bounds, linear, origin), site);
+    particles_.addToObject(object, idle, site);
     for (const ModelLight& light : model.lights)
-        lamps_.push_back({{origin + linear * light.position, light.colour, light.intensity, light.falloff},
-                          block.spaceOf(object.cell)});
+        lamps_.push_back(
+            {{origin + linear * light.position, light.colour, light.intensity, light.falloff}, site.space});
 }
 
 void ObjectAssembler::addStatic(const PlacedModel& object, const Model& model, const Sphere& bounds,
-                                const JoiningBlock& block) {
+                                const ObjectSite& site) {
     ObjectGroup group{static_cast<InstanceIndex>(world_.instances.size()), 0, bounds,
-                      block.origin + object.origin};
+                      site.blockOrigin + object.origin};
     for (const std::vector<ModelPart>* parts : {&model.parts, &model.farther})
         for (const ModelPart& part : *parts)
-            addPart(object, part, block);
+            addPart(object, part, site);
     group.instanceCount = static_cast<InstanceIndex>(world_.instances.size()) - group.firstInstance;
     if (group.instanceCount > 0)
         groups_.push_back(group);
 }
 
-void ObjectAssembler::addPart(const PlacedModel& object, const ModelPart& part, const JoiningBlock& block) {
+void ObjectAssembler::addPart(const PlacedModel& object, const ModelPart& part, const ObjectSite& site) {
     const PartMesh* mesh = models_.part(part.gfxObj);
     if (mesh == nullptr || mesh->mesh.empty())
         return;
@@ -59,18 +62,20 @@ void ObjectAssembler::addPart(const PlacedModel& object, const ModelPart& part, 
     Instance instance;
     instance.kind = object.kind;
     instance.mesh = arena_.shared(*mesh);
-    instance.block = block.index;
+    instance.block = site.block;
     instance.linear = glm::mat3(linear);
     instance.origin = Vec3f(origin);
-    instance.bounds = placedSphere(world_.meshes[instance.mesh].bounds, linear, block.origin + origin);
-    instance.placedIn = block.spaceOf(object.cell);
+    instance.bounds = placedSphere(world_.meshes[instance.mesh].bounds, linear, site.blockOrigin + origin);
+    instance.placedIn = site.space;
     instance.object = object.object;
     instance.record = part.gfxObj;
-    instance.firstMaterial = materials_.ofPart(*mesh);
+    instance.firstMaterial = object.dress != nullptr
+                                 ? materials_.ofDressedPart(*mesh, part.part, *object.dress)
+                                 : materials_.ofPart(*mesh);
     instance.facing = part.facing;
     if (part.facing != Facing::Fixed) // around its origin, for every turn
-        instance.bounds = {block.origin + origin,
-                           glm::length(instance.bounds.centre - block.origin - origin) +
+        instance.bounds = {site.blockOrigin + origin,
+                           glm::length(instance.bounds.centre - site.blockOrigin - origin) +
                                instance.bounds.radius};
     const bool isOutdoors = instance.placedIn == kOutside;
     instance.level =

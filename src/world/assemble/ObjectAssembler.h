@@ -16,17 +16,17 @@ public:
           world_(world) {}
 
     void add(const JoiningBlock& block);
+    void addObject(const PlacedModel& object, const ObjectSite& site);
 
     /// The objects whose members are not found yet.
     [[nodiscard]] std::span<const ObjectGroup> groups() const { return groups_; }
     [[nodiscard]] std::span<const PlacedLamp> lamps() const { return lamps_; }
 
 private:
-    void addObject(const PlacedModel& object, const JoiningBlock& block);
     /// `bounds`: global.
     void addStatic(const PlacedModel& object, const Model& model, const Sphere& bounds,
-                   const JoiningBlock& block);
-    void addPart(const PlacedModel& object, const ModelPart& part, const JoiningBlock& block);
+                   const ObjectSite& site);
+    void addPart(const PlacedModel& object, const ModelPart& part, const ObjectSite& site);
 
     IdleAssembler& idle_;
     ParticleAssembler& particles_;

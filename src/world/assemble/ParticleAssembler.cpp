@@ -65,23 +65,23 @@ std::vector<EmitterStart> ParticleAssembler::startsOf(const dat::Setup& setup,
     return starts;
 }
 
-void ParticleAssembler::addToObject(const PlacedModel& object, std::uint32_t idle,
-                                    const JoiningBlock& block) {
+void ParticleAssembler::addToObject(const PlacedModel& object, std::uint32_t idle, const ObjectSite& site) {
     const dat::Setup* setup = isSetup(object.model) ? records_.setup(object.model) : nullptr;
     if (setup == nullptr)
         return;
     LIMEN_ASSERT(idle == kNone || idle < world_.idleObjects.size(), "the object is in the world");
-    const std::uint32_t standing[] = {cycles_.of(object.model)[static_cast<std::size_t>(Gait::Stand)]};
+    const std::uint32_t standing[] = {
+        cycles_.of(object.model, object.motionTable)[static_cast<std::size_t>(Gait::Stand)]};
     std::size_t number = 0;
     for (const EmitterStart& start : startsOf(*setup, standing, object.object)) {
         ParticleSource source;
         source.idle = idle;
         source.seed = seedOf(object.object, number++);
-        source.space = block.spaceOf(object.cell);
+        source.space = site.space;
         const Pose rest = restOfPart(start, *setup);
         source.at = {rest.orientation, rest.origin};
         if (idle == kNone) {
-            const Vec3 origin = block.origin + object.origin;
+            const Vec3 origin = site.blockOrigin + object.origin;
             source.at = {object.orientation * rest.orientation,
                          origin + object.orientation * rest.origin * object.scale};
         }

@@ -16,7 +16,7 @@ public:
         : records_(records), styles_(styles), cycles_(cycles), world_(world), starts_(records) {}
 
     /// `idle`: the object's index in World::idleObjects; kNone if it is static.
-    void addToObject(const PlacedModel& object, std::uint32_t idle, const JoiningBlock& block);
+    void addToObject(const PlacedModel& object, std::uint32_t idle, const ObjectSite& site);
     /// `villager`: index into World::villagers. `play`: the script that world.json starts on it.
     void addToVillager(std::uint32_t villager, dat::RecordId model, const PlayEntry& play);
     /// The scripts of sky objects, which run at the eye. A sky object without a script that is a Setup has

@@ -62,6 +62,9 @@ struct PlacedModel {
     Quat orientation{1.0, 0.0, 0.0, 0.0};
     double scale = 1.0;
     std::uint32_t cell = kOutdoorSpace;
+    dat::RecordId motionTable = 0; ///< 0: that of the Setup
+    double opacity = 1.0;          ///< below 1 all of its surfaces are blended
+    const Dress* dress = nullptr;  ///< null: none; outlives the call that adds the object
 };
 
 /// The content of one landblock in its own frame and with its own indices. It does not depend on other

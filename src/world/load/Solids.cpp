@@ -1,6 +1,7 @@
 #include "world/Solids.h"
 
 #include "core/Assert.h"
+#include "world/LeafPose.h"
 #include "world/Loader.h"
 #include "world/Membership.h"
 #include "world/Nearby.h"
@@ -25,6 +26,10 @@ Vec3 placedAt(const Placement& placement, const Vec3& point) {
 
 Placement within(const Placement& outer, const Mat3& linear, const Vec3& origin) {
     return {outer.linear * linear, placedAt(outer, origin)};
+}
+
+Mat3 scaling(const Vec3& scale) {
+    return {Vec3(scale.x, 0.0, 0.0), Vec3(0.0, scale.y, 0.0), Vec3(0.0, 0.0, scale.z)};
 }
 
 /// Adds the solids of one block after another.
@@ -55,6 +60,25 @@ public:
             const Pose pose = poseOf(info->buildings[i].frame);
             add(InstanceKind::Exterior, outside, [&] {
                 addModel(info->buildings[i].model, {glm::mat3_cast(pose.orientation), pose.origin});
+            });
+        }
+    }
+
+    /// The objects of a world database on the blocks that were read. Doors in their openings have leaves instead.
+    void addPlaced(std::span<const dat::BlockCoord> blocks) {
+        const Membership membership(world_);
+        offset_ = -out_.origin;
+        for (const PlacedObject& placed : world_.placed) {
+            const bool isNear =
+                std::find(blocks.begin(), blocks.end(), blockAt(placed.origin)) != blocks.end();
+            if (!placed.stopsBodies || placed.isHung || !isNear)
+                continue;
+            std::vector<SpaceIndex> members;
+            const double radius = std::max(models_.model(placed.model).bounds.radius, 0.0) +
+                                  glm::length(models_.model(placed.model).bounds.centre);
+            membership.reach(placed.space, {placed.origin, radius * placed.scale}, {}, members);
+            add(InstanceKind::Static, members, [&] {
+                addModel(placed.model, {glm::mat3_cast(placed.orientation) * placed.scale, placed.origin});
             });
         }
     }
@@ -106,11 +130,11 @@ private:
             members.push_back(portal.destination);
         const Vec3 centre = leaf.body.bounds.centre;
         const Vec3 axis(0.0, 0.0, centre.z);
-        membership.extend({leaf.hinge + axis, leaf.body.bounds.radius + glm::length(centre - axis)}, {},
-                          members);
+        const Sphere around{leaf.hinge + axis, leaf.body.bounds.radius + glm::length(centre - axis)};
+        membership.extend(leaf.keyCount == 0 ? around : leafReach(world_, leaf), {}, members);
         const std::size_t before = out_.solids.size();
         offset_ = Vec3(0.0);
-        add(InstanceKind::Filling, members, [&] { addModel(leaf.model, Placement()); });
+        add(InstanceKind::Filling, members, [&] { addModel(leaf.model, {scaling(leaf.scale), Vec3(0.0)}); });
         for (std::size_t i = before; i < out_.solids.size(); ++i) {
             out_.solids[i].door = door;
             out_.solids[i].leaf = index;
@@ -258,6 +282,7 @@ Result<Solids> loadSolids(const dat::Archive& archive, const World& world, dat::
     for (const dat::BlockCoord coord : blocks)
         if (const Block* block = findBlock(world, coord))
             reader.read(*block);
+    reader.addPlaced(blocks);
     reader.addDoors();
     return solids;
 }

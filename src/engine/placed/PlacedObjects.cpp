@@ -1,0 +1,210 @@
+#include "engine/placed/PlacedObjects.h"
+
+#include "placements/sql/Text.h"
+#include "world/Nearby.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <tuple>
+
+namespace limen::engine {
+namespace {
+
+using placements::Template;
+using placements::TemplateType;
+
+constexpr std::uint32_t kFirstIndoors = 0x0100;
+
+Quat orientationOf(const placements::Spot& spot) {
+    const Quat q(static_cast<double>(spot.angles[0]), static_cast<double>(spot.angles[1]),
+                 static_cast<double>(spot.angles[2]), static_cast<double>(spot.angles[3]));
+    const double length = glm::length(q);
+    return length > 1e-6 && std::isfinite(length) ? q / length : Quat(1.0, 0.0, 0.0, 0.0);
+}
+
+dat::RecordId indoorCellOf(const placements::Spot& spot) {
+    return (spot.cell & 0xFFFF) >= kFirstIndoors ? spot.cell : 0;
+}
+
+Vec3 globalOf(const placements::Spot& spot) {
+    const dat::BlockCoord block = dat::blockOf(spot.cell);
+    return Vec3(block.x * world::kBlockSize, block.y * world::kBlockSize, 0.0) +
+           Vec3(static_cast<double>(spot.origin[0]), static_cast<double>(spot.origin[1]),
+                static_cast<double>(spot.origin[2]));
+}
+
+world::TravelEntry travelOf(const placements::Spot& spot) {
+    const Vec3 ahead = orientationOf(spot) * Vec3(0.0, 1.0, 0.0); // +y is north
+    return {indoorCellOf(spot), globalOf(spot), std::atan2(ahead.x, ahead.y) * 180.0 / std::numbers::pi};
+}
+
+/// A name without a guid of eight hexadecimal digits at its end.
+std::string withoutGuid(const std::string& name) {
+    constexpr std::size_t kGuid = 9; // with the blank before it
+    const bool hasGuid = name.size() > kGuid && name[name.size() - kGuid] == ' ' &&
+                         name.find_last_not_of("0123456789ABCDEFabcdef") == name.size() - kGuid;
+    return hasGuid ? name.substr(0, name.size() - kGuid) : name;
+}
+
+bool isSameText(const std::string& a, const std::string& b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// An eye in front of an object, at the height of a person's eyes.
+world::Place viewBefore(const world::PlacedEntry& entry) {
+    constexpr double kIndoors = 1.5, kOutdoors = 3.0, kEyes = 1.6; // metres
+    const Vec3 front = entry.orientation * Vec3(0.0, 1.0, 0.0);
+    world::Place place;
+    place.name = entry.name;
+    place.eye = entry.position + front * (entry.cell != 0 ? kIndoors : kOutdoors) + Vec3(0.0, 0.0, kEyes);
+    place.yaw = std::atan2(-front.x, -front.y) * 180.0 / std::numbers::pi;
+    place.cell = entry.cell;
+    return place;
+}
+
+double scaleOf(const Template& of) {
+    constexpr double kLeast = 0.01, kMost = 100.0; // a scale beyond is damaged data
+    const double scale = of.scale.value_or(1.0);
+    return scale >= kLeast && scale <= kMost ? scale : 1.0;
+}
+
+/// The garment of a template's ClothingBase, if it has one.
+void addGarment(const Template& of, std::optional<std::int32_t> palette, std::optional<double> shade,
+                std::vector<world::ClothingEntry>& out) {
+    if (of.clothingBase == 0)
+        return;
+    const std::int32_t colours = palette.value_or(of.paletteTemplate.value_or(0));
+    out.push_back({of.clothingBase,
+                   colours > 0 ? static_cast<std::uint32_t>(colours) : 0,
+                   {shade.value_or(of.shade.value_or(0.0))}});
+}
+
+world::LookEntry lookOf(const Template& of) {
+    constexpr std::uint32_t kColours = 8,
+                            kWhole = 2048; // ranges count groups of eight; 0 is the whole palette
+    world::LookEntry look;
+    for (const placements::PaletteChange& change : of.palettes)
+        look.colours.push_back({change.palette, change.offset * kColours,
+                                change.length != 0 ? change.length * kColours : kWhole});
+    for (const placements::TextureChange& change : of.textures)
+        look.textures.push_back({change.part, change.from, change.to});
+    for (const placements::PartChange& change : of.parts)
+        look.parts.push_back({change.part, change.model});
+    return look;
+}
+
+bool stopsBodies(const Template& of) {
+    const auto state = static_cast<std::uint32_t>(of.physicsState.value_or(0));
+    return (state & placements::kEthereal) == 0 && !of.ethereal.value_or(false) &&
+           of.type != static_cast<std::int32_t>(TemplateType::Portal);
+}
+
+} // namespace
+
+world::PlacedEntry placedEntry(const placements::Standing& standing, const Template& of,
+                               const placements::FindTemplate& find) {
+    world::PlacedEntry entry;
+    const bool isDoor = of.type == static_cast<std::int32_t>(TemplateType::Door);
+    entry.kind = isDoor ? world::PlacedEntry::Kind::Door : world::PlacedEntry::Kind::Thing;
+    entry.id = standing.id;
+    entry.templateId = standing.templateId;
+    entry.name = fmt::format("{} {:08X}", placements::printable(of.name.empty() ? of.className : of.name),
+                             standing.id);
+    entry.model = of.setup;
+    entry.motionTable = of.motionTable;
+    const placements::Spot& spot = standing.spot;
+    entry.cell = indoorCellOf(spot);
+    entry.block = dat::blockOf(spot.cell);
+    entry.position = globalOf(spot);
+    entry.orientation = orientationOf(spot);
+    entry.scale = scaleOf(of);
+    entry.opacity = 1.0 - std::clamp(of.translucency.value_or(0.0), 0.0, 1.0);
+    entry.isOpen = of.open.value_or(of.defaultOpen.value_or(false));
+    entry.stopsBodies = stopsBodies(of);
+    entry.isOnGround = standing.isScattered;
+    addGarment(of, standing.palette, standing.shade ? std::optional<double>(*standing.shade) : std::nullopt,
+               entry.clothing);
+    for (const placements::CreatedItem& item : of.items) {
+        if ((item.destination & placements::CreatedItem::kWield) == 0)
+            continue;
+        if (const Template* worn = find(item.templateId))
+            addGarment(*worn, item.palette > 0 ? std::optional(item.palette) : std::nullopt,
+                       static_cast<double>(item.shade), entry.clothing);
+    }
+    entry.basePalette = of.paletteBase;
+    entry.look = lookOf(of);
+    if (of.destination && of.type == static_cast<std::int32_t>(TemplateType::Portal))
+        entry.travel = travelOf(*of.destination);
+    return entry;
+}
+
+const Template* PlacedObjects::find(std::uint32_t id) const {
+    const auto [entry, isNew] = templates_.try_emplace(id);
+    if (isNew) {
+        Result<std::optional<Template>> of = database_.findTemplate(id);
+        if (of)
+            entry->second = std::move(*of);
+        else
+            fault_ = tl::unexpected(of.error());
+    }
+    return entry->second ? &*entry->second : nullptr;
+}
+
+Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& name) const {
+    constexpr std::size_t kMostFound = 1000;
+    Result<std::vector<placements::Found>> found =
+        database_.search(withoutGuid(name), std::nullopt, kMostFound);
+    if (!found)
+        return tl::unexpected(found.error());
+    // The object itself, then those whose whole name is the text, then those whose name contains it.
+    const auto rank = [&](const placements::Found& one) {
+        return fmt::format("{} {:08X}", one.name, one.placement.guid) == name ? 0
+               : isSameText(one.name, name)                                   ? 1
+                                                                              : 2;
+    };
+    std::stable_sort(found->begin(), found->end(),
+                     [&](const placements::Found& a, const placements::Found& b) {
+                         return std::tuple(rank(a), a.placement.guid) < std::tuple(rank(b), b.placement.guid);
+                     });
+    const std::lock_guard guard(lock_);
+    const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
+    for (const placements::Found& one : *found) {
+        const bool isNamed = rank(one) < 2 || withoutGuid(name) == name;
+        const Template* of = isNamed ? find(one.placement.templateId) : nullptr;
+        if (of == nullptr || !isVisible(*of))
+            continue;
+        const placements::Standing standing{one.placement.guid, of->id, one.placement.spot, false, {}, {}};
+        return viewBefore(placedEntry(standing, *of, findTemplate));
+    }
+    return fault_.map([] { return std::optional<world::Place>(); });
+}
+
+Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::PlacedEntry>& out) const {
+    const auto number = static_cast<std::uint32_t>(block.x) << 8 | static_cast<std::uint32_t>(block.y);
+    const Result<placements::Landblock> landblock = database_.landblock(number);
+    if (!landblock)
+        return tl::unexpected(landblock.error());
+    const std::lock_guard guard(lock_);
+    const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
+    for (const placements::Standing& standing : standingIn(*landblock, findTemplate))
+        if (const Template* of = find(standing.templateId))
+            out.push_back(placedEntry(standing, *of, findTemplate));
+    return fault_;
+}
+
+Result<std::vector<world::PlacedEntry>> PlacedObjects::around(const dat::Archive& archive,
+                                                              dat::BlockCoord centre,
+                                                              const world::LoadOptions& options) const {
+    std::vector<world::PlacedEntry> entries;
+    const int radius = world::isDungeon(archive, centre) ? 0 : std::clamp(options.radius, 0, 255);
+    for (const dat::BlockCoord block : world::blocksAround(centre, radius))
+        if (Result<void> added = addBlock(block, entries); !added)
+            return tl::unexpected(added.error());
+    return entries;
+}
+
+} // namespace limen::engine

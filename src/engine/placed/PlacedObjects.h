@@ -1,0 +1,45 @@
+#pragma once
+
+#include "placements/Standing.h"
+#include "placements/WorldDb.h"
+#include "world/Loader.h"
+#include "world/Places.h"
+
+#include <map>
+#include <mutex>
+
+namespace limen::engine {
+
+/// The placed objects of an open world.db, as entries for the loader. Safe on several threads.
+class PlacedObjects {
+public:
+    explicit PlacedObjects(placements::WorldDb database) : database_(std::move(database)) {}
+
+    /// The entries of the blocks that a load around `centre` reads with everything. Errors: a damaged database.
+    [[nodiscard]] Result<std::vector<world::PlacedEntry>>
+    around(const dat::Archive& archive, dat::BlockCoord centre, const world::LoadOptions& options) const;
+
+    /// A viewpoint before a visible object, which looks at it. `name`: that of the object, with its guid; else that of its
+    /// template, or a part of it; letter case of ASCII does not matter, and the object with the least guid is taken. None:
+    /// there is no such object. Errors: a damaged database.
+    [[nodiscard]] Result<std::optional<world::Place>> viewOf(const std::string& name) const;
+
+    [[nodiscard]] const placements::WorldDb& database() const { return database_; }
+
+private:
+    [[nodiscard]] Result<void> addBlock(dat::BlockCoord block, std::vector<world::PlacedEntry>& out) const;
+    /// Null: there is no such template, or the database is damaged (`fault_` then says so).
+    [[nodiscard]] const placements::Template* find(std::uint32_t id) const;
+
+    placements::WorldDb database_;
+    mutable std::mutex lock_; ///< of the members below
+    mutable std::map<std::uint32_t, std::optional<placements::Template>> templates_;
+    mutable Result<void> fault_;
+};
+
+/// An object as an entry for the loader. `find`: yields the templates of the things that it wears.
+[[nodiscard]] world::PlacedEntry placedEntry(const placements::Standing& standing,
+                                             const placements::Template& of,
+                                             const placements::FindTemplate& find);
+
+} // namespace limen::engine

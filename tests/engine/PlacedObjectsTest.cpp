@@ -1,0 +1,185 @@
+#include "engine/placed/PlacedObjects.h"
+#include "engine/placed/RowsOfWorldFile.h"
+
+#include <gmock/gmock.h>
+
+// Rows of a world database as entries for the loader, and entries of world.json as rows.
+namespace limen::engine {
+namespace {
+
+using placements::Template;
+
+world::PlacedEntry entryOf(const Template& of, const placements::Standing& standing,
+                           const std::map<std::uint32_t, Template>& others = {}) {
+    return placedEntry(standing, of, [&](std::uint32_t id) -> const Template* {
+        const auto found = others.find(id);
+        return found != others.end() ? &found->second : nullptr;
+    });
+}
+
+placements::Standing standingAt(std::uint32_t cell) {
+    placements::Standing standing;
+    standing.id = 0x7A9B4001;
+    standing.templateId = 5;
+    standing.spot = {cell, {10.0f, 20.0f, 30.0f}, {0.5f, 0.0f, 0.0f, -0.5f}};
+    return standing;
+}
+
+TEST(PlacedEntry, hasPlaceTurnAndName) {
+    Template of;
+    of.name = "Gate";
+    of.setup = 0x02000001;
+    of.type = 19;
+    of.scale = 1.5;
+    of.translucency = 0.25;
+    of.defaultOpen = true;
+    const world::PlacedEntry entry = entryOf(of, standingAt(0xA9B40105));
+    EXPECT_EQ(entry.kind, world::PlacedEntry::Kind::Door);
+    EXPECT_EQ(entry.name, "Gate 7A9B4001");
+    EXPECT_EQ(entry.cell, 0xA9B40105u);
+    EXPECT_EQ(entry.position, Vec3(0xA9 * 192.0 + 10, 0xB4 * 192.0 + 20, 30));
+    EXPECT_NEAR(glm::length(entry.orientation), 1.0, 1e-12) << "normalised";
+    EXPECT_EQ(entry.scale, 1.5);
+    EXPECT_EQ(entry.opacity, 0.75);
+    EXPECT_TRUE(entry.isOpen);
+    EXPECT_TRUE(entry.stopsBodies);
+    EXPECT_EQ(entryOf(of, standingAt(0xA9B40032)).cell, 0u) << "a landcell is outdoors";
+    EXPECT_EQ(entryOf(of, standingAt(0xA9B40000)).cell, 0u);
+}
+
+TEST(PlacedEntry, hasSensibleValuesForDamagedRows) {
+    Template of;
+    of.scale = -3.0;
+    of.translucency = 7.0;
+    placements::Standing standing = standingAt(0x01010101);
+    standing.spot.angles = {0.0f, 0.0f, 0.0f, 0.0f};
+    const world::PlacedEntry entry = entryOf(of, standing);
+    EXPECT_EQ(entry.scale, 1.0);
+    EXPECT_EQ(entry.opacity, 0.0);
+    EXPECT_EQ(entry.orientation, Quat(1.0, 0.0, 0.0, 0.0));
+    of.name = "a\x1B[31m\nb\xFF";
+    EXPECT_EQ(entryOf(of, standing).name, "a [31m b\uFFFD 7A9B4001") << "findings print it on the terminal";
+}
+
+TEST(PlacedEntry, wearsItsClothesInOrder) {
+    Template of;
+    of.type = 10;
+    of.clothingBase = 0x10000001;
+    of.paletteTemplate = 3;
+    of.shade = 0.5;
+    of.paletteBase = 0x04000001;
+    of.items = {{2, 11, 7, 0.25f}, {1, 12, 7, 0.25f}, {10, 13, 0, 0.75f}, {2, 99, 0, 0.0f}};
+    std::map<std::uint32_t, Template> others;
+    for (const std::uint32_t id : {11u, 12u, 13u}) {
+        others[id].clothingBase = 0x10000000 + id;
+        others[id].paletteTemplate = 4;
+    }
+    world::PlacedEntry entry = entryOf(of, standingAt(0x01010101), others);
+    ASSERT_EQ(entry.clothing.size(), 3u) << "an item in a pack is not worn";
+    EXPECT_EQ(entry.clothing[0].table, 0x10000001u);
+    EXPECT_EQ(entry.clothing[0].palette, 3u);
+    EXPECT_EQ(entry.clothing[0].shades, std::vector{0.5});
+    EXPECT_EQ(entry.clothing[1].table, 0x1000000Bu);
+    EXPECT_EQ(entry.clothing[1].palette, 7u);
+    EXPECT_EQ(entry.clothing[2].table, 0x1000000Du);
+    EXPECT_EQ(entry.clothing[2].palette, 4u) << "that of the item's template";
+    EXPECT_EQ(entry.clothing[2].shades, std::vector{0.75});
+    EXPECT_EQ(entry.basePalette, 0x04000001u);
+    placements::Standing made = standingAt(0x01010101);
+    made.palette = 9;
+    made.shade = 1.0f;
+    entry = entryOf(of, made, others);
+    EXPECT_EQ(entry.clothing[0].palette, 9u) << "that of the generator";
+    EXPECT_EQ(entry.clothing[0].shades, std::vector{1.0});
+}
+
+TEST(PlacedEntry, changesItsLook) {
+    Template of;
+    of.palettes = {{0x04000009, 3, 2}, {0x0400000A, 0, 0}};
+    of.textures = {{1, 0x05000001, 0x05000002}};
+    of.parts = {{4, 0x01000005}};
+    const world::LookEntry look = entryOf(of, standingAt(0x01010101)).look;
+    ASSERT_EQ(look.colours.size(), 2u);
+    EXPECT_EQ(look.colours[0].offset, 24u);
+    EXPECT_EQ(look.colours[0].count, 16u);
+    EXPECT_EQ(look.colours[1].count, 2048u) << "the whole palette";
+    ASSERT_EQ(look.textures.size(), 1u);
+    EXPECT_EQ(look.textures[0].to, 0x05000002u);
+    ASSERT_EQ(look.parts.size(), 1u);
+    EXPECT_EQ(look.parts[0].gfxObj, 0x01000005u);
+}
+
+TEST(PlacedEntry, ofATravelPortalLeadsSomewhere) {
+    Template of;
+    of.type = 7;
+    of.destination =
+        placements::Spot{0x01250126, {30.0f, -60.0f, 6.0f}, {0.70710678f, 0.0f, 0.0f, -0.70710678f}};
+    const world::PlacedEntry entry = entryOf(of, standingAt(0x01010001));
+    ASSERT_TRUE(entry.travel);
+    EXPECT_EQ(entry.travel->cell, 0x01250126u);
+    EXPECT_EQ(entry.travel->feet, Vec3(0x01 * 192.0 + 30, 0x25 * 192.0 - 60, 6));
+    EXPECT_NEAR(entry.travel->yaw, 90.0, 1e-4) << "a quarter turn to the east";
+    EXPECT_FALSE(entry.stopsBodies);
+    of.type = 19;
+    EXPECT_FALSE(entryOf(of, standingAt(0x01010001)).travel);
+}
+
+TEST(PlacedEntry, isPassableIfItIsEthereal) {
+    Template of;
+    of.physicsState = 0x4;
+    EXPECT_FALSE(entryOf(of, standingAt(0x01010001)).stopsBodies);
+    of.physicsState = 0;
+    of.ethereal = true;
+    EXPECT_FALSE(entryOf(of, standingAt(0x01010001)).stopsBodies);
+}
+
+TEST(RowsOfWorldFile, doorsAndPeopleComeBackAsEntries) {
+    world::WorldFile file;
+    world::DoorEntry door;
+    door.name = "gate";
+    door.cell = 0xA9B40105;
+    const Vec3 hinge(0xA9 * 192.0 + 7, 0xB4 * 192.0 + 8, 9);
+    door.leaves = {{0x02000001, hinge, 90.0, -95.0, 0x09000001},
+                   {0x02000001, hinge, 270.0, 95.0, 0x09000002}};
+    file.moving.doors = {door, door};
+    file.moving.doors[1].leaves[0].motionTable = 0; // no rows for it
+    world::RouteEntry route;
+    route.name = "lane";
+    route.points = {{hinge, 0}, {hinge + Vec3(10, 0, 0), 0xA9B40106}};
+    file.moving.routes = {route};
+    world::VillagerEntry person;
+    person.name = "anna";
+    person.route = "lane";
+    person.model = 0x02000002;
+    person.start = 4.0;
+    person.clothing = {{0x10000001, 3, {0.5}}, {0x10000002, 0, {0.25}}};
+    person.basePalette = 0x04000001;
+    file.moving.villagers = {person};
+    file.moving.emitters.resize(2);
+    const WorldFileRows rows = rowsOf(file);
+    EXPECT_EQ(rows.doors, 1u);
+    EXPECT_EQ(rows.people, 1u);
+    EXPECT_EQ(rows.left, 3u);
+    const placements::FindTemplate find = [&](std::uint32_t id) -> const Template* {
+        const auto found = rows.content.templates.find(id);
+        return found != rows.content.templates.end() ? &found->second : nullptr;
+    };
+    const auto standing = standingIn(rows.content.landblocks.at(0xA9B4), find);
+    ASSERT_EQ(standing.size(), 3u);
+    const world::PlacedEntry leaf = placedEntry(standing[0], *find(standing[0].templateId), find);
+    EXPECT_EQ(leaf.kind, world::PlacedEntry::Kind::Door);
+    EXPECT_EQ(leaf.motionTable, 0x09000001u);
+    EXPECT_NEAR(glm::length(leaf.position - hinge), 0.0, 1e-4);
+    EXPECT_NEAR(glm::length(leaf.orientation * Vec3(0, 1, 0) - Vec3(1, 0, 0)), 0.0, 1e-6) << "+y to the east";
+    const world::PlacedEntry anna = placedEntry(standing[2], *find(standing[2].templateId), find);
+    EXPECT_NEAR(glm::length(anna.position - (hinge + Vec3(4, 0, 0))), 0.0, 1e-4);
+    EXPECT_EQ(anna.cell, 0u) << "that of the leg's first point";
+    ASSERT_EQ(anna.clothing.size(), 2u);
+    EXPECT_EQ(anna.clothing[0].table, 0x10000001u);
+    EXPECT_EQ(anna.clothing[0].palette, 3u);
+    EXPECT_EQ(anna.clothing[0].shades, std::vector{0.5});
+    EXPECT_EQ(anna.basePalette, 0x04000001u);
+}
+
+} // namespace
+} // namespace limen::engine
