@@ -48,7 +48,8 @@ TEST(CheckView, refusesEachArgumentThatMakesNoSense) {
     refuses(&ViewArguments::body, "1,2");
     refuses(&ViewArguments::bodyYaw, "5"); // without a body
     refuses(&ViewArguments::bodyMetres, "5");
-    EXPECT_FALSE(checkView(ViewArguments{}));
+    ASSERT_TRUE(checkView(ViewArguments{}));
+    EXPECT_TRUE(checkView(ViewArguments{})->isAtStart) << "no viewpoint: the start of the world";
 }
 
 TEST(CheckView, takesABodyAndDoors) {

@@ -127,6 +127,7 @@ TEST(SqlFiles, faultsNameThePath) {
     EXPECT_NE(faultOf(directory / "cut.sql").find("cut.sql:3: the file ends within a statement"),
               std::string::npos)
         << faultOf(directory / "cut.sql");
+    EXPECT_EQ(faultOf(directory / "cut.sql").find("cut.sql/"), std::string::npos) << "the name stands once";
 }
 
 TEST(SqlFiles, aDamagedArchiveIsAnError) {

@@ -79,7 +79,7 @@ void report(const std::filesystem::path& path, const placements::WriteCounts& co
     console.wrote(path, all);
     const auto changes = [&](const char* what, std::size_t written, std::size_t removed) {
         if (written + removed > 0)
-            console.note(fmt::format("limen: {} {} written, {} removed", groupedText(written), what,
+            console.note(fmt::format("limen: {}: {} written, {} removed", what, groupedText(written),
                                      groupedText(removed)));
     };
     changes("landblocks", counts.landblocksWritten, counts.landblocksRemoved);

@@ -42,7 +42,7 @@ Result<Content> importSqlFiles(const std::vector<std::filesystem::path>& paths,
     CountedBytes counter(progress, totalSize(*files));
     ContentBuilder builder;
     const Result<void> read = readSqlFiles(paths, *files, [&](const SqlFile& file, const ReadBytes& bytes) {
-        Tokens tokens(counter.counted(bytes), (paths[file.source] / file.name).string());
+        Tokens tokens(counter.counted(bytes), shownPath(paths, file).string());
         return executeSql(tokens, builder);
     });
     if (!read)

@@ -104,6 +104,12 @@ std::string replacementKey(const std::string& name) {
     return name;
 }
 
+fs::path shownPath(const std::vector<fs::path>& paths, const SqlFile& file) {
+    const fs::path& path = paths[file.source];
+    std::error_code ignored;
+    return isSql(path) && !fs::is_directory(path, ignored) ? path : path / file.name;
+}
+
 Result<std::vector<SqlFile>> findSqlFiles(const std::vector<fs::path>& paths) {
     std::vector<SqlFile> files;
     for (std::size_t i = 0; i < paths.size(); ++i) {

@@ -20,6 +20,10 @@ struct SqlFile {
 /// Errors: a path that does not exist or cannot be read; no file of SQL is there.
 [[nodiscard]] Result<std::vector<SqlFile>> findSqlFiles(const std::vector<std::filesystem::path>& paths);
 
+/// The path that messages name: of a file in an archive, that of the archive and the name within it.
+[[nodiscard]] std::filesystem::path shownPath(const std::vector<std::filesystem::path>& paths,
+                                              const SqlFile& file);
+
 /// The name under which later files replace earlier ones.
 [[nodiscard]] std::string replacementKey(const std::string& name);
 
