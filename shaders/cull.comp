@@ -9,6 +9,7 @@
 //
 // Modes (cullMode): the draws of walls and ground, or all draws; the depth tiles, when walls and ground are drawn; the other
 // draws, without triangles that are behind the depth tiles.
+#include "Tolerances.h"
 #include "frommodel.glsl"
 #include "levels.glsl"
 
@@ -137,7 +138,7 @@ bool mayShow(uint vertex, Instance instance, uint rects) {
         return false;
     }
     float nearest = min(min(a.z, b.z), c.z);
-    if (nearest < frame.nearPlane) {
+    if (nearest < kNearestPlace) {
         return true;
     }
     Pixels pixels = pixelsOf(a, b, c);

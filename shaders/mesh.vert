@@ -65,6 +65,7 @@ vec3 outlineCorner(uint i) {
     return i == 0u ? corners[0] : i == 1u ? corners[1] : corners[2];
 }
 #include "grow.glsl"
+#include "close.glsl"
 
 // Fragments are also cut at the near plane one by one; the clipper must not remove those within rounding of it.
 const float kBeforeNear = 0.999;
@@ -98,7 +99,7 @@ vec2 aroundTriangle(vec4 first, vec4 second, vec4 third, uint corner) {
     vec2 most = device.viewport.xy * 0.5;
     vec2 low = -most;
     vec2 high = most;
-    if (min(min(first.w, second.w), third.w) >= frame.nearPlane) {
+    if (min(min(first.w, second.w), third.w) >= kNearestPlace) {
         vec2 a = first.xy / first.w * most;
         vec2 b = second.xy / second.w * most;
         vec2 c = third.xy / third.w * most;
@@ -146,7 +147,8 @@ void paintAround(vec2 pixelsFromMiddle, Instance instance) {
 
 // Moves the corner of a triangle that faces the eye outwards, with its attributes. All three vertices must make the
 // same decisions, so each evaluates them for the whole triangle in the same order.
-void drawLarger(uint own, vec3 before, vec3 after, Instance instance) {
+// A close triangle is drawn around the window, and each fragment is tested: clipping makes corners from floats.
+void drawLarger(uint own, vec3 before, vec3 after, bool isClose, Instance instance) {
     vec4 clip[3] = vec4[3](clipFromEye(corners[0]), clipFromEye(corners[1]), clipFromEye(corners[2]));
     bool mayThin = mayBeThin(clip[0], clip[1], clip[2]);
     if (mayThin) {
@@ -158,7 +160,7 @@ void drawLarger(uint own, vec3 before, vec3 after, Instance instance) {
     }
     bool all = mayThin || mayFail(clip[0], clip[1], clip[2]);
     Growth growth = growthOf(Around(clipFromEye(before), gl_Position, clipFromEye(after)), all);
-    if (growth.fails) {
+    if (growth.fails || isClose) {
         vec2 at = aroundTriangle(clip[0], clip[1], clip[2], own);
         drawAround(at);
         paintAround(at, instance);
@@ -205,11 +207,15 @@ void main() {
     corners[2] = corner == 2u ? eyeRelative : corner == 0u ? before : after;
     vec4 facet = facetFromModel(inFacet, instance, corners[0]); // from the same corner for all three vertices
     vTriangle = triangle;
-    vFacet = facet;
     vCorners = corners;
     vOutline = vec3[3](screenFromEye(corners[0]), screenFromEye(corners[1]), screenFromEye(corners[2]));
-    if (facet.w < 0.0) {
-        drawLarger(corner, before, after, instance);
+    bool close = isClose(facet.w, min(min(vOutline[0].z, vOutline[1].z), vOutline[2].z));
+    for (uint turn = 0u; turn < (close ? 1u : 0u); ++turn) {
+        facet.w = exactFacetHeight(exactTriangle(triangle, instance));
+    }
+    vFacet = facet;
+    if (facet.w < (close ? -kEyeInPlaneTolerance : 0.0)) {
+        drawLarger(corner, before, after, close, instance);
         gl_Position.z *= kBeforeNear;
     } else {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // faces away, or has no area

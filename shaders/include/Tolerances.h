@@ -10,16 +10,17 @@ namespace limen {
 
 // ---- The world: metres in world space -------------------------------------------------------------------------------
 
-// A point at most this far from a plane is in the plane. An eye this far behind a portal's plane can still
-// leave through the portal, a surface this near to the plane is met from both sides, and a shut filling is
-// met before everything else there. The point-in-cell test uses the same distance at the planes of a cell's
-// BSP tree. Source: docs/ray-rule.md#tolerances; docs/formats/cells.md#point-in-cell.
+// A surface this near to a portal's plane is met from both sides, and a shut filling is met before everything else
+// there. An eye this far past a portal's plane may still be said to be before it. The ownership stage clips openings
+// with the same margin, so that rounding removes nothing from an opening that touches the plane. The point-in-cell test
+// uses the same distance at the planes of a cell's BSP tree. Source: docs/ray-rule.md#tolerances;
+// docs/formats/cells.md#point-in-cell.
 LIMEN_TOLERANCE kInPlaneTolerance = 0.0002;
 
-// An eye before a portal's plane is in the plane only up to this distance, plus the distance of the portal's
-// corners from the plane. Floats of corners near the eye are off by about this much. Source:
+// An eye this near to the plane of a portal or a wall is in the plane; of a portal, plus the distance of its corners
+// from the plane. Four corners of one polygon, in floats of a few metres, are this far off one plane. Source:
 // docs/ray-rule.md#tolerances.
-LIMEN_TOLERANCE kBeforePlaneTolerance = 0.00001;
+LIMEN_TOLERANCE kEyeInPlaneTolerance = 5.0e-7;
 
 // Two vertices at most this far apart are one vertex, and a vertex this near to an edge is on the edge. The
 // files store floats in local frames, so copies of one corner differ by hundredths of a millimetre. Real
@@ -36,24 +37,20 @@ LIMEN_TOLERANCE kGapTolerance = kWeldTolerance;
 // stay apart, which is slower and exact.
 LIMEN_TOLERANCE kOverlapTolerance = 0.0001;
 
-// A fragment at most this far on the wrong side of an entry plane belongs to both sides: jambs, sills, panes
-// and the terrain at a threshold are in the portal's plane. The ownership stage clips openings with the same
-// margin, so that rounding removes nothing from an opening that touches the plane. Source: docs/ray-rule.md#tolerances.
-LIMEN_TOLERANCE kEntryPlaneTolerance = 0.001;
-
-// Metres that the entry-plane tolerance grows with each metre of distance from the eye: float positions and
+// Metres that kInPlaneTolerance grows, for a fragment, with each metre of distance from the eye: float positions and
 // interpolation lose precision in proportion to the distance.
 LIMEN_TOLERANCE kEntryPlaneToleranceSlope = 4.0e-7;
 
-// The spacing of floats in a landblock, rounded up: floats of 128 m to 192 m are 0.000015 m apart. A corner
-// stored in block coordinates is off by less than this.
-LIMEN_TOLERANCE kBlockFloatTolerance = 0.00002;
-
 // ---- The view -------------------------------------------------------------------------------------------------------
 
-// Metres of view depth. Surfaces nearer than this are not drawn and not met; portals are met at any distance.
-// This is the default of every picture, drawn or traced. Source: docs/ray-rule.md#tolerances.
-LIMEN_TOLERANCE kDefaultNearPlane = 0.02;
+// Metres of view depth: 19 nanometres. Nearer surfaces are not drawn and not met, and float positions are no more
+// accurate than this; portals are met at any distance. 2 cm times a power of two: depths lose no precision. This is the
+// default of every picture, drawn or traced. Source: docs/decisions/0163-a-near-plane-of-nanometres.md.
+LIMEN_TOLERANCE kDefaultNearPlane = 0.02 / 1048576.0;
+
+// Metres of view depth. A corner nearer than this, or behind the eye, has no place on the screen that floats hold to
+// a part of a pixel. So nothing is decided by its place, and nearer ends of lines are cut.
+LIMEN_TOLERANCE kNearestPlace = 0.02;
 
 // Depths that differ by no more than this share are equal. It covers the float arithmetic of the depth
 // buffer.

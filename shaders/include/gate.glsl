@@ -64,7 +64,7 @@ float toleranceFor(vec3 normal, SurfacePoint point) {
     return 0.0;
 #endif
     float slope = abs(dot(normal, point.dx)) + abs(dot(normal, point.dy));
-    return kEntryPlaneTolerance + kEntryPlaneToleranceSlope * length(point.at) + kSnap * slope;
+    return kInPlaneTolerance + kEntryPlaneToleranceSlope * length(point.at) + kSnap * slope;
 }
 
 // Tolerance in metres beyond the plane by which the rays leave a visit. `shutBy`: of the next visit.

@@ -59,7 +59,7 @@ Growth growthAt(vec4 before, vec4 here, vec4 after, bool front) {
 // be thin.
 bool mayFail(vec4 before, vec4 here, vec4 after) {
     float nearest = min(min(before.w, here.w), after.w);
-    return nearest < frame.nearPlane || max(max(before.w, here.w), after.w) > 1.5 * nearest;
+    return nearest < kNearestPlace || max(max(before.w, here.w), after.w) > 1.5 * nearest;
 }
 
 // A triangle around the rectangle from `low` to `high`, in pixels from the middle of the screen.
@@ -73,7 +73,7 @@ vec2 aroundBox(vec2 low, vec2 high, uint corner, bool front) {
 
 // False only if the triangle of three corners is thicker than kThin by itself.
 bool mayBeThin(vec4 before, vec4 here, vec4 after) {
-    if (min(min(before.w, here.w), after.w) < frame.nearPlane) {
+    if (min(min(before.w, here.w), after.w) < kNearestPlace) {
         return true;
     }
     vec2 pixels = device.viewport.xy * 0.5;
@@ -126,7 +126,7 @@ Thin thinAt(uint count, uint corner, float closest) {
         vec4 clip = clipFromEye(p);
         float reach = device.viewport.x + device.viewport.y;
         bool ahead = clip.w >= closest;
-        float place = dot(along, clip.xy * middle) / clip.w;
+        float place = clamp(dot(along, clip.xy * middle) / clip.w, -reach, reach); // in a long line floats lose the pixel
         float side = horizon + dot(normal, p) / (max(clip.w, closest) * steepness);
         low = min(low, vec2(ahead ? place : -reach, side));
         high = max(high, vec2(ahead ? place : reach, side));

@@ -37,6 +37,7 @@ vec3 cornerOnScreen(uint i) {
 }
 #include "ray.glsl"
 #include "outline.glsl"
+#include "close.glsl"
 
 // Depth interval in which the ray with this direction (view depth 1) passes within `pixels` of the polygon; empty (x >
 // y) if it does not. In the polygon's plane the ray is a line, and each outline edge within a band around it bounds the
@@ -149,6 +150,7 @@ struct Intersection {
     float depth;
     bool isAhead; // in front of the eye, not on the backward half of the ray's line, as far as rounding can tell
     bool isOnFringe; // the ray passes over the triangle or its fringe, and the triangle is wider than its fringe
+    bool isExact; // `isAhead` says whether the ray meets the triangle
 };
 
 // The depth from the plane has an error that grows as the plane is seen more edge-on. Within that error the depth
@@ -168,7 +170,7 @@ Intersection intersectPolygon(vec3 direction) {
     bool isThere = inwards.isSmall && min(min(corner.x, corner.y), corner.z) > 0.0;
     float whole = shares.corner.x + shares.corner.y + shares.corner.z;
     bool isAhead = whole > -kShareRounding * (shares.products.x + shares.products.y + shares.products.z);
-    return Intersection(sum > 0.0 ? clamp(byCorners, depth - off, depth + off) : depth, isAhead, isThere);
+    return Intersection(sum > 0.0 ? clamp(byCorners, depth - off, depth + off) : depth, isAhead, isThere, false);
 }
 
 // Texture coordinate at the ray's intersection. The rasteriser's value belongs to a point up to 1/256 pixel away, which
@@ -235,17 +237,28 @@ float behindRounding(uint kind, vec3 direction, float depth) {
     return farther;
 }
 
+// The same of a close triangle, whose edges and depth are exact.
+Intersection intersectClose(Intersection found, Instance instance, vec3 direction) {
+    bool close = isClose(vFacet.w, min(min(vOutline[0].z, vOutline[1].z), vOutline[2].z));
+    for (uint turn = 0u; turn < (close ? 1u : 0u); ++turn) {
+        float depth = exactDepth(exactTriangle(vTriangle, instance), direction);
+        found = Intersection(depth, depth > 0.0, false, true);
+    }
+    return found;
+}
+
 // Position eye-relative; sets the fragment's depth. False: the pixel's ray does not meet the triangle's front.
-bool findOnPolygon(uint kind, out SurfacePoint point) {
+bool findOnPolygon(Instance instance, out SurfacePoint point) {
+    uint kind = kindOf(instance);
     vec3 direction = rayThrough(windowPosition());
-    Intersection met = intersectPolygon(direction);
+    Intersection met = intersectClose(intersectPolygon(direction), instance, direction);
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * length(direction));
     // Derivatives along the plane: the rasteriser's may be infinite beside a thin triangle.
     point = SurfacePoint(direction * met.depth, met.depth * (device.rayRight.xyz + direction * (dot(vFacet.xyz, device.rayRight.xyz) / facing)),
                   met.depth * (device.rayUp.xyz + direction * (dot(vFacet.xyz, device.rayUp.xyz) / facing)));
     float tested = met.depth + behindNeighbours(kind == kKindShell, point.at, direction) - beforePlane(kind, direction) +
                    behindRounding(kind, direction, met.depth);
-    bool isOver = met.isAhead && isOverOutline(3u, windowPosition());
+    bool isOver = met.isAhead && (met.isExact || isOverOutline(3u, windowPosition()));
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);
 #ifndef TRANSLUCENT // layers count once where two polygons share an edge, so they have no fringe
     isOver = isOver || met.isOnFringe;
@@ -259,7 +272,7 @@ vec2 uvOnPolygon() {
     return vUv.xy;
 }
 
-bool findOnPolygon(uint kind, out SurfacePoint point) {
+bool findOnPolygon(Instance instance, out SurfacePoint point) {
     point = SurfacePoint(vEyeRelative, dFdx(vEyeRelative), dFdy(vEyeRelative));
     return true;
 }

@@ -58,7 +58,7 @@ vec3 lightHere(Painted painted, Instance instance) {
 // Whether the fragment is seen; the caller discards others.
 bool isKept(Instance instance) {
     SurfacePoint point;
-    if (!findOnPolygon(kindOf(instance), point)) {
+    if (!findOnPolygon(instance, point)) {
         return false;
     }
 #ifdef GATED

@@ -99,7 +99,7 @@ private:
         std::optional<bool>& known =
             excused_[static_cast<std::size_t>(y + 1) * (drawn_.width + 2) + static_cast<std::size_t>(x + 1)];
         if (!known)
-            known = retracer_.isCutByNearPlane(x, y) || !retracer_.leadsIntoTheRoot(x, y);
+            known = !retracer_.leadsIntoTheRoot(x, y);
         return *known;
     }
 
@@ -108,7 +108,7 @@ private:
             return true;
         const double stored = drawn_.depth[indexOf(x, y)];
         const double drawn =
-            stored == 0.0 ? std::numeric_limits<double>::infinity() : drawn_.nearPlane / stored;
+            stored == 0.0 ? std::numeric_limits<double>::infinity() : drawn_.depthUnit / stored;
         const Answer& own = traced_.at(x, y);
         if (!std::isfinite(own.t) || !std::isfinite(drawn))
             return std::isinf(own.t) && std::isinf(drawn) && drawn > 0.0;

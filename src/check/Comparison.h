@@ -16,9 +16,9 @@ namespace limen::check {
 struct DrawnImages {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint32_t> ids; ///< 0 void, 1 sky
-    /// As stored in the depth buffer: nearPlane / view depth, 0 where nothing was drawn; empty: unknown.
+    /// depthUnit / view depth, 0 where nothing was drawn; empty: unknown.
     std::vector<float> depth;
-    double nearPlane = kDefaultNearPlane;  ///< metres
+    double depthUnit = 0.02;               ///< metres
     std::vector<reference::Layers> layers; ///< translucent surfaces drawn; empty: not counted
     std::vector<std::uint8_t> colour;      ///< R,G,B,A; empty: not drawn
     /// Sample positions of a multisampled picture, which has colour alone: pixels from the centre, y
@@ -36,7 +36,7 @@ enum class Verdict : std::uint8_t {
     Agrees,    ///< the drawn id is among the traced ones of the 3×3 pixels
     ByZone,    ///< an object that pokes through a wall of its zone: the rule allows both results
     Hole,      ///< drawn as void where the rule finds a void too: a defect of the data
-    Unjudged,  ///< past a wall that the near plane cuts, or out of the space of an eye on its wall
+    Unjudged,  ///< out of the space of an eye on its wall
     Sliver,    ///< finer rays within the 3×3 pixels meet the drawn polygon
     EdgeOn,    ///< disagrees: the drawn polygon is seen edge-on, and its depth was taken beside it
     Disagrees, ///< disagrees in any other way

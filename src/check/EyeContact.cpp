@@ -12,7 +12,7 @@ namespace {
 bool touchesEdge(std::span<const Vec3> corners, const Vec3& point) {
     for (std::size_t i = 0; i < corners.size(); ++i)
         if (distanceToSegment(point, corners[i], corners[(i + 1) % corners.size()]).distance <=
-            kInPlaneTolerance)
+            kEyeInPlaneTolerance)
             return true;
     return false;
 }
@@ -22,7 +22,7 @@ bool touchesEdge(std::span<const Vec3> corners, const Vec3& point) {
 EyeContact::EyeContact(const world::World& world, const PolygonTable& polygons, world::SpaceIndex root,
                        const Vec3& eye) {
     std::vector<Triangle> touched;
-    polygons.trianglesAround(root, eye, kInPlaneTolerance, touched);
+    polygons.trianglesAround(root, eye, kEyeInPlaneTolerance, touched);
     for (const Triangle& triangle : touched)
         inward_.push_back(planeOf(triangle.corners).n);
     const world::Space& space = world.spaces[root];

@@ -7,7 +7,7 @@ namespace limen::check {
 /// The surfaces and edges of the root space that an eye touches. docs/ray-rule.md: an eye exactly on an edge
 /// of an opening or in a wall's plane is judged only for rays into that space.
 ///
-/// An eye touches a surface of its space, or an edge of one of its openings, within kInPlaneTolerance. Being
+/// An eye touches a surface of its space, or an edge of one of its openings, within kEyeInPlaneTolerance. Being
 /// in the plane of a distant wall is no contact. A ray leads into the space if it leaves every touched plane
 /// on the side of the space: the front of a surface, the inner side of an opening. Without contact every ray
 /// is judged, also inside an opening.

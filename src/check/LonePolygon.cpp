@@ -13,6 +13,9 @@ namespace limen::check {
 
 namespace {
 
+/// Metres. The spacing of floats in a landblock, rounded up: floats of 128 m to 192 m are 0.000015 m apart. A corner
+/// stored in block coordinates is off by less than this.
+constexpr double kBlockFloatTolerance = 0.00002;
 constexpr double kTransformShare = 4e-7; // of the farthest corner's distance: rounding of a float transform
 constexpr double kStoredRounding = 0x1p-22; // of the largest inverse depth: rounding of a stored float
 

@@ -13,7 +13,8 @@ namespace limen::check {
 
 namespace {
 
-constexpr std::array<std::size_t, kKindCount> kParts{30, 20, 20, 28, 2}; ///< shares of the kinds, by ViewKind
+constexpr std::array<std::size_t, kKindCount> kParts{30, 20, 20, 28,
+                                                     2,  28, 20, 20}; ///< shares of the kinds, by ViewKind
 
 /// Outside views of a block with buildings for each one of a block without: pictures go wrong at openings,
 /// and every block costs a load.

@@ -25,7 +25,7 @@ struct BlockSummary {
 /// The number of views of each kind; 0: none.
 using KindCounts = std::array<std::size_t, kKindCount>;
 
-/// Distributes a number of views among kinds: 30 parts random, 20 outside, 20 path, 28 sweep, 2 still. Each
+/// Distributes a number of views among kinds: 30 parts random, 20 outside, 20 path, 28 sweep, 2 still, 28 straddle, 20 telephoto, 20 wide. Each
 /// kind of `kinds` gets at least one.
 [[nodiscard]] KindCounts shareAmongKinds(std::size_t views, std::span<const ViewKind> kinds);
 

@@ -18,8 +18,6 @@ public:
     /// The rule's other option: objects are met in every space of their zones
     /// (reference::RuleOptions::objectsByZone).
     [[nodiscard]] virtual reference::Answer byZone(double x, double y) = 0;
-    /// True if the near plane cuts a surface on this ray.
-    [[nodiscard]] virtual bool isCutByNearPlane(double x, double y) = 0;
     /// False for a ray that leaves the root space of an eye on a wall or on the edge of an opening
     /// (check/EyeContact.h).
     [[nodiscard]] virtual bool leadsIntoTheRoot(double x, double y) = 0;

@@ -157,9 +157,12 @@ std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, cons
         addTourViews(around, task.tourViews, views);
     addWalkViews(around, count(ViewKind::Path), views);
     addRandomViews(around, ViewKind::Still, count(ViewKind::Still), views);
+    addLensViews(around, ViewKind::Telephoto, count(ViewKind::Telephoto), views);
+    addLensViews(around, ViewKind::Wide, count(ViewKind::Wide), views);
     around.width = request.sweepWidth;
     around.height = request.sweepHeight;
     addSweepViews(around, count(ViewKind::Sweep), views);
+    addStraddleViews(around, count(ViewKind::Straddle), views);
     for (std::size_t i = 0; i < views.size(); ++i) {
         RandomGenerator random(request.seed, {0x74696D65u, dat::blockWord(task.block), i});
         views[i].seconds = std::floor(random.between(0.0, request.longest) * 100.0) / 100.0;

@@ -91,8 +91,7 @@ private:
     [[nodiscard]] bool isExcused() {
         for (int dy = -1; dy <= 1; ++dy) {
             for (int dx = -1; dx <= 1; ++dx)
-                if (retracer_.isCutByNearPlane(x_ + dx, y_ + dy) ||
-                    !retracer_.leadsIntoTheRoot(x_ + dx, y_ + dy))
+                if (!retracer_.leadsIntoTheRoot(x_ + dx, y_ + dy))
                     return true;
         }
         return false;

@@ -1,7 +1,6 @@
 #include "check/Traced.h"
 
 #include "check/LonePolygon.h"
-#include "geometry/Tolerances.h"
 
 namespace limen::check {
 
@@ -36,23 +35,10 @@ reference::Answer ViewRetracer::byZone(double x, double y) {
     return traced_.sceneByZone().trace(camera_.root, rayThrough(camera_, x, y));
 }
 
-bool ViewRetracer::isCutByNearPlane(double x, double y) {
-    reference::Ray ray = rayThrough(camera_, x, y);
-    const auto traceFrom = [&](double nearPlane) {
-        ray.nearPlane = nearPlane;
-        return traced_.scene().trace(camera_.root, ray);
-    };
-    if (traceFrom(0.0).t < camera_.nearPlane)
-        return true;
-    // A surface in the near plane itself, such as a pane, may be cut or not, depending on float rounding.
-    const reference::Answer before = traceFrom(camera_.nearPlane - kBlockFloatTolerance);
-    const reference::Answer behind = traceFrom(camera_.nearPlane + kBlockFloatTolerance);
-    return before.id != behind.id || !(before.layers == behind.layers);
-}
-
 bool ViewRetracer::leadsIntoTheRoot(double x, double y) {
     if (!contact_)
-        contact_.emplace(traced_.world(), traced_.polygons(), camera_.root, camera_.eye);
+        contact_.emplace(traced_.world(), traced_.polygons(),
+                         traced_.scene().spaceOfEye(camera_.root, camera_.eye), camera_.eye);
     return contact_->touchesNothing() || contact_->leadsIntoTheRoot(rayThrough(camera_, x, y).direction);
 }
 

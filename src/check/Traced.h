@@ -40,7 +40,6 @@ public:
 
     reference::Answer exact(double x, double y) override;
     reference::Answer byZone(double x, double y) override;
-    bool isCutByNearPlane(double x, double y) override;
     bool leadsIntoTheRoot(double x, double y) override;
     bool isEdgeOn(double x, double y, std::uint32_t id, double shown) override;
     double outlineRounding(double x, double y, std::uint32_t id) override;

@@ -15,15 +15,20 @@ namespace limen::check {
 
 /// The kinds of view (src/check/README.md, `limen check`), in the order in which they run.
 enum class ViewKind : std::uint8_t {
-    Random,  ///< anywhere in a cell
-    Outside, ///< anywhere above the landscape
-    Path,    ///< along the tour and along random walks through portals
-    Sweep,   ///< through a portal, in steps down to a tenth of a millimetre
-    Still    ///< drawn twice: both pictures must be the same to the bit
+    Random,    ///< anywhere in a cell
+    Outside,   ///< anywhere above the landscape
+    Path,      ///< along the tour and along random walks through portals
+    Sweep,     ///< through a portal, in steps down to a tenth of a millimetre
+    Still,     ///< drawn twice: both pictures must be the same to the bit
+    Straddle,  ///< at the planes, edges and corners of openings, from a micrometre on
+    Telephoto, ///< through openings, with a field of view of a few degrees
+    Wide       ///< a field of view of 150 degrees and more
 };
-inline constexpr std::size_t kKindCount = 5;
-inline constexpr std::array<std::string_view, kKindCount> kKindNames{"random", "outside", "path", "sweep",
-                                                                     "still"};
+inline constexpr std::size_t kKindCount = 8;
+inline constexpr std::array<std::string_view, kKindCount> kKindNames{
+    "random", "outside", "path", "sweep", "still", "straddle", "telephoto", "wide"};
+/// The kinds of a check that names none: the first ones.
+inline constexpr std::size_t kUsualKinds = 5;
 
 [[nodiscard]] constexpr std::string_view nameOf(ViewKind kind) {
     return kKindNames[static_cast<std::size_t>(kind)];

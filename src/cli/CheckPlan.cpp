@@ -16,6 +16,7 @@ namespace limen::cli {
 namespace {
 
 Result<std::vector<check::ViewKind>> kindsOf(const std::string& list) {
+    const std::vector<std::string> names(check::kKindNames.begin(), check::kKindNames.end());
     std::vector<check::ViewKind> kinds;
     for (std::size_t begin = 0; begin <= list.size() && !list.empty();) {
         const std::size_t end = std::min(list.find(',', begin), list.size());
@@ -23,13 +24,12 @@ Result<std::vector<check::ViewKind>> kindsOf(const std::string& list) {
         const std::optional<check::ViewKind> kind = check::kindNamed(name);
         if (!kind)
             return fail(ErrorCode::BadArgument, "--kinds",
-                        fmt::format("unknown kind of view '{}'{}", name,
-                                    suggestion(name, {"random", "outside", "path", "sweep", "still"})));
+                        fmt::format("unknown kind of view '{}'{}", name, suggestion(name, names)));
         kinds.push_back(*kind);
         begin = end + 1;
     }
     if (kinds.empty())
-        for (std::size_t i = 0; i < check::kKindCount; ++i)
+        for (std::size_t i = 0; i < check::kUsualKinds; ++i)
             kinds.push_back(static_cast<check::ViewKind>(i));
     return kinds;
 }

@@ -228,7 +228,8 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->type_name("N")
         ->check(within(1, static_cast<double>(kMostViews)));
     verb->add_option("--kinds", options->kinds,
-                     "check these kinds of view, e.g. random,path (random,outside,path,sweep,still)")
+                     "check these kinds of view, e.g. random,path; also straddle, telephoto, wide "
+                     "(random,outside,path,sweep,still)")
         ->type_name("LIST");
     verb->add_option("--seed", options->seed, "choose the views with this seed (1)")->type_name("N");
     verb->add_option("--size", options->size, "set the picture size in pixels (640x360, for sweeps 160x90)")

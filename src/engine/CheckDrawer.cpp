@@ -86,7 +86,10 @@ Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& requ
     images.height = request.size.height;
     images.ids = target.readIds();
     images.depth = target.readDepth();
-    images.nearPlane = frame::FrameView{}.nearPlane;
+    // A power of two, so that no bit of a depth is lost. Hashes of pictures do not depend on the near plane.
+    const auto perStored = static_cast<float>(images.depthUnit / frame::FrameView{}.nearPlane);
+    for (float& depth : images.depth)
+        depth *= perStored;
     if (colour) {
         images.colour = target.readColour();
         return images;

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "frame/SceneBuilder.h"
+#include "visibility/EyeSpace.h"
 
 #include <utility>
 
@@ -48,7 +49,9 @@ Result<void> Pipeline::trace(const visibility::View& view, visibility::FloodTrac
 
 void Pipeline::plan(const frame::FrameView& view) {
     LIMEN_ASSERT(part_ != nullptr, "show a part first");
-    LIMEN_ASSERT(!state_.visible.visits.empty() && state_.visible.visits[0].space == view.view.root,
+    LIMEN_ASSERT(!state_.visible.visits.empty() &&
+                     state_.visible.visits[0].space ==
+                         visibility::spaceOfEye(part().graph, view.view.eye, view.view.root),
                  "the flood was from this view");
     frame::FrameView planned = view;
     planned.fewTests = planned.fillsVoids = renderer_.options().drawing == gpu::Drawing::Fast;

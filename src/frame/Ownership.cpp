@@ -62,7 +62,7 @@ private:
     /// the flood's region, computed in double, decides alone. Its edges are not exactly the walls', but that
     /// is not visible: such a region is half of all directions, or too thin to hold more than a few pixels.
     [[nodiscard]] static bool isEdgeOn(const visibility::Visit& visit) {
-        return visit.inPlane || std::abs(visit.entryPlane.d) < kBeforePlaneTolerance;
+        return visit.inPlane || std::abs(visit.entryPlane.d) < kEyeInPlaneTolerance;
     }
 
     void addVisit(const visibility::Visit& visit) {
@@ -88,9 +88,9 @@ private:
     [[nodiscard]] gpu::vec4 planeFor(std::uint32_t visit, const Plane& entry) const {
         const auto polygon = polygonOf(world_, world_.portals[set_.visits[visit].portal]);
         const bool cuts = std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
-            return entry.signedDistance(corner - frame_.view.eye) < -kEntryPlaneTolerance;
+            return entry.signedDistance(corner - frame_.view.eye) < -kInPlaneTolerance;
         });
-        return cuts ? gpu::vec4(Vec3f(entry.n), entry.d + kEntryPlaneTolerance) : gpu::vec4(0, 0, 0, 1);
+        return cuts ? gpu::vec4(Vec3f(entry.n), entry.d + kInPlaneTolerance) : gpu::vec4(0, 0, 0, 1);
     }
 
     [[nodiscard]] bool isNear(const world::Portal& portal) const {

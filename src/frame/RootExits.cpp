@@ -16,7 +16,7 @@ bool isBeforePlane(const world::World& world, const world::Instance& shell, cons
     const Plane local = plane.relativeTo(world.blocks[shell.block].origin());
     const auto vertices = std::span(world.vertices).subspan(mesh.firstVertex, mesh.vertexCount);
     return std::all_of(vertices.begin(), vertices.end(), [&](const world::MeshVertex& vertex) {
-        return local.signedDistance(vertex.corner()) >= -kEntryPlaneTolerance;
+        return local.signedDistance(vertex.corner()) >= -kInPlaneTolerance;
     });
 }
 

@@ -90,12 +90,34 @@ void Follower::meetFilling(const Exit& exit) {
         std::for_each(set->triangles().begin(), set->triangles().end(), offer);
 }
 
+/// Whether the gap has another side: a solid triangle or a portal of the space.
+bool Follower::isGap(world::SpaceIndex space, const BoxRay& wide, const Gap& gap) const {
+    bool found = gap.isRounding();
+    scene_.openings.forCorners(space,
+                               [&](std::span<const Vec3> corners) { found = found || gap.hasSide(corners); });
+    const double farthest = kInfinity;
+    scene_.forLists(space, [&](const Bodies& bodies, const BodyLists::ListPair& lists) {
+        lists.solid.walk(wide, 0.0, farthest, [&](std::uint32_t body) {
+            if (!found && bodies.isInLevelRange(body, eye_))
+                bodies.surfacesOf(body).solid.walk(wide, 0.0, farthest, [&](const Triangle& triangle) {
+                    const Vec3 corners[] = {triangle.a, triangle.b, triangle.c};
+                    found = found || gap.hasSide(corners);
+                });
+        });
+    });
+    return found;
+}
+
 /// A ray in a cell that meets nothing may have slipped through a gap narrower than the data's own rounding.
 /// Then the nearer neighbour of the gap counts: a triangle, which becomes `nearest_`, or a portal, which
 /// becomes `exit`. True if a portal.
 bool Follower::closeGap(const Visit& visit, Exit& exit) {
     const BoxRay wide(ray_.eye, ray_.direction, kGapTolerance);
-    exit = scene_.openings.nearestGrown(ray_, wide, leavingFrom(visit));
+    const BoxRay widest(ray_.eye, ray_.direction, 3.0 * kGapTolerance); // both sides of a gap, and its width
+    const GapTest isNarrow = [&](const Vec3& passes, std::span<const Vec3> corners) {
+        return isGap(visit.space, widest, Gap(passes, corners));
+    };
+    exit = scene_.openings.nearestGrown(ray_, wide, leavingFrom(visit), isNarrow);
     const Stretch stretch{visit.surfacesAfter, nearPlane_, exit.found() ? exit.t : kInfinity};
     double farthest = stretch.most;
     scene_.forLists(visit.space, [&](const Bodies& bodies, const BodyLists::ListPair& lists) {
@@ -103,7 +125,7 @@ bool Follower::closeGap(const Visit& visit, Exit& exit) {
             if (!bodies.isInLevelRange(body, eye_))
                 return;
             const TriangleSet& solid = bodies.surfacesOf(body).solid;
-            solid.findNearestGrown(scene_.world, ray_, wide, stretch, kGapTolerance, nearest_);
+            solid.findNearestGrown(scene_.world, ray_, wide, stretch, kGapTolerance, isNarrow, nearest_);
             farthest = std::min(farthest, nearest_.t);
         });
     });

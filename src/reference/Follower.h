@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reference/Candidates.h"
+#include "reference/Gap.h"
 
 #include "core/SmallVec.h"
 
@@ -15,6 +16,7 @@ public:
     Follower(const SceneData& scene, const Ray& ray, TileCandidates& tile, std::uint32_t pixel);
     Follower(const Follower&) = delete; // candidates_ refers to ray_
     Follower& operator=(const Follower&) = delete;
+    /// `root`: by Openings::spaceOfEye.
     [[nodiscard]] Answer follow(world::SpaceIndex root);
 
 private:
@@ -32,6 +34,7 @@ private:
     [[nodiscard]] Leaving leavingFrom(const Visit& visit) const;
     void meetSurfaces(const Visit& visit, double most);
     void meetLayer(const Triangle& triangle, bool isFilling, double t);
+    [[nodiscard]] bool isGap(world::SpaceIndex space, const BoxRay& wide, const Gap& gap) const;
     [[nodiscard]] bool closeGap(const Visit& visit, Exit& exit);
     void meetFilling(const Exit& exit);
     [[nodiscard]] bool isShut(world::PortalIndex portal) const {

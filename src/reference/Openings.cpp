@@ -75,7 +75,7 @@ void Openings::addOpening(const world::Portal& portal, const Vec3& origin) {
     const double off = std::transform_reduce(
         points.begin(), points.end(), 0.0, [](double a, double b) { return std::max(a, b); },
         [&](const Vec3& p) { return std::abs(opening.plane.signedDistance(p)); });
-    opening.before = std::min(kInPlaneTolerance, kBeforePlaneTolerance + off);
+    opening.before = std::min(kInPlaneTolerance, kEyeInPlaneTolerance + off);
     openings_.push_back(opening);
 }
 
@@ -200,7 +200,8 @@ Exit Openings::nearest(std::span<const world::PortalIndex> portals, const RayFra
     return exit;
 }
 
-Exit Openings::nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from) const {
+Exit Openings::nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from,
+                            const GapTest& isGap) const {
     Exit exit;
     offerAll(boxRay, from, exit.t, [&](world::PortalIndex i) {
         const double speed = speedOut(i, ray, from);
@@ -215,10 +216,46 @@ Exit Openings::nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Lea
             other.t > exit.t || (other.t == exit.t && i > exit.portal))
             return;
         const Vec3 point = ray.eye + ray.direction * other.t;
-        if (containsProjection(cornersOf(opening), opening.plane.n, point, kGapTolerance))
+        if (containsProjection(cornersOf(opening), opening.plane.n, point, kGapTolerance) &&
+            isGap(point, cornersOf(opening)))
             exit = other;
     });
     return exit;
+}
+
+/// Whether an eye is behind the portal's plane, farther than an eye in it and not farther than the tolerance.
+bool Openings::isPassed(world::PortalIndex portal, const Vec3& eye) const {
+    const auto isWithin = [&](const Opening& opening) {
+        return containsProjection(cornersOf(opening), opening.plane.n, eye, 0.0);
+    };
+    const Opening& opening = openings_[portal];
+    const double past = -opening.plane.signedDistance(eye);
+    if (past <= opening.before || past > kInPlaneTolerance || !isWithin(opening))
+        return false;
+    const world::PortalIndex back = world_.portals[portal].reciprocal;
+    return world_.portals[portal].exact || back == world::kNone ||
+           (openings_[back].cornerCount >= 3 && openings_[back].plane.signedDistance(eye) > 0.0 &&
+            isWithin(openings_[back]));
+}
+
+world::SpaceIndex Openings::spaceOfEye(world::SpaceIndex root, const Vec3& eye) const {
+    constexpr int kMostPassed = 4; // openings that meet in a corner
+    world::PortalIndex cameBy = world::kNone;
+    for (int passed = 0; passed < kMostPassed; ++passed) {
+        const SpaceOpenings& here = spaces_[root];
+        const auto first = order_.begin() + here.first, end = first + here.count;
+        world::PortalIndex next = world::kNone;
+        std::for_each(first, end, [&](world::PortalIndex i) {
+            const bool isBack = cameBy != world::kNone && world_.portals[cameBy].reciprocal == i;
+            if (i < next && !isBack && world_.portals[i].destination != world::kNone && isPassed(i, eye))
+                next = i;
+        });
+        if (next == world::kNone)
+            break;
+        cameBy = next;
+        root = world_.portals[next].destination;
+    }
+    return root;
 }
 
 bool Openings::passesPair(world::PortalIndex portal, const RayFrame& ray, double after) const {

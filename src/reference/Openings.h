@@ -2,6 +2,7 @@
 
 #include "reference/Hierarchy.h"
 #include "reference/RayFrame.h"
+#include "reference/TriangleSet.h"
 
 #include "core/SmallVec.h"
 #include "geometry/Plane.h"
@@ -51,8 +52,20 @@ public:
     void gather(world::SpaceIndex space, const Pyramid& pyramid,
                 std::vector<world::PortalIndex>& portals) const;
     /// As nearest(), with openings larger by kGapTolerance all around. For rays where nearest() finds none.
-    /// `boxRay` must have that margin.
-    [[nodiscard]] Exit nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from) const;
+    /// `boxRay` must have that margin. `isGap(passes, corners)` is called for each of them, and false leaves it out.
+    [[nodiscard]] Exit nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Leaving& from,
+                                    const GapTest& isGap) const;
+    /// Calls act(corners) for the portals of a space.
+    template <class Do>
+    void forCorners(world::SpaceIndex space, Do&& act) const {
+        for (const world::PortalIndex i :
+             std::span(order_).subspan(spaces_[space].first, spaces_[space].count))
+            act(cornersOf(openings_[i]));
+    }
+
+    /// The space in which the rays of an eye begin: `root`, or the space behind a portal, open or shut, that the eye
+    /// has just passed (docs/ray-rule.md#tolerances).
+    [[nodiscard]] world::SpaceIndex spaceOfEye(world::SpaceIndex root, const Vec3& eye) const;
 
     /// Whether the ray also passes the reciprocal's polygon: always for an exact pair, and an inexact pair is
     /// open only where both polygons are. Requires that the ray passes the portal's own polygon.
@@ -89,6 +102,7 @@ private:
     /// Whether the eye is in an opening's plane and inside its polygon. `way`: 1 for rays out of its space,
     /// -1 into it.
     [[nodiscard]] bool holdsEye(const Opening& opening, const Vec3& eye, double way) const;
+    [[nodiscard]] bool isPassed(world::PortalIndex portal, const Vec3& eye) const;
     void addOpening(const world::Portal& portal, const Vec3& origin);
 
     const world::World& world_;

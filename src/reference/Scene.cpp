@@ -15,8 +15,12 @@ void Scene::setDynamics(const world::DynamicState& dynamics) {
     data_->takeDynamics(dynamics);
 }
 
+world::SpaceIndex Scene::spaceOfEye(world::SpaceIndex root, const Vec3& eye) const {
+    return data_->openings.spaceOfEye(root, eye - data_->origin);
+}
+
 Answer Scene::trace(world::SpaceIndex root, const Ray& ray) const {
-    return Follower(*data_, ray).follow(root);
+    return Follower(*data_, ray).follow(spaceOfEye(root, ray.eye));
 }
 
 const SceneData& Scene::data() const {

@@ -69,6 +69,9 @@ public:
     /// openings are open.
     void setDynamics(const world::DynamicState& dynamics);
 
+    /// The space in which the rays of an eye (global) begin: the root, or the space behind a portal that the eye
+    /// has just passed.
+    [[nodiscard]] world::SpaceIndex spaceOfEye(world::SpaceIndex root, const Vec3& eye) const;
     /// Follows one ray from the root space. A pure function.
     [[nodiscard]] Answer trace(world::SpaceIndex root, const Ray& ray) const;
 

@@ -106,7 +106,8 @@ bool TriangleSet::isHole(const world::World& world, const Triangle& triangle, co
 }
 
 void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
-                                   const Stretch& stretch, double margin, Nearest& nearest) const {
+                                   const Stretch& stretch, double margin, const GapTest& isGap,
+                                   Nearest& nearest) const {
     const double farthest = std::min(stretch.most, nearest.t);
     tree_.walk(boxRay, stretch.after, farthest, [&](std::uint32_t first, std::uint32_t count) {
         for (std::uint32_t i = first; i < first + count; ++i) {
@@ -119,7 +120,8 @@ void TriangleSet::findNearestGrown(const world::World& world, const RayFrame& ra
                 continue;
             const Triangle& triangle = triangles_[i];
             const Vec3 corners[] = {triangle.a, triangle.b, triangle.c}, p = ray.eye + ray.direction * t;
-            if (!containsProjection(corners, plane.n, p, margin))
+            if (beginsInPlane(ray, triangle) || !containsProjection(corners, plane.n, p, margin) ||
+                !isGap(p, corners))
                 continue;
             // Weights by areas. Beside the triangle they are slightly outside 0..1, and so is the texture
             // coordinate.

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "geometry/Plane.h"
+#include "geometry/Tolerances.h"
 #include "reference/Hierarchy.h"
 #include "reference/RayFrame.h"
 #include "world/World.h"
 
+#include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace limen::reference {
@@ -28,12 +31,19 @@ struct Meeting {
     double t = 0.0, a = 0.0, b = 0.0, c = 0.0;
 };
 
-/// True if the ray's line meets the triangle's front, edges included.
+/// True if the ray begins in the triangle's plane, up to kEyeInPlaneTolerance.
+[[nodiscard]] inline bool beginsInPlane(const RayFrame& ray, const Triangle& triangle) {
+    const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    const double height = glm::dot(normal, ray.eye - triangle.a);
+    return height * height <= kEyeInPlaneTolerance * kEyeInPlaneTolerance * glm::dot(normal, normal);
+}
+
+/// True if the ray's line meets the triangle's front, edges included. A ray that begins in the plane does not.
 [[nodiscard]] inline bool meetsFront(const RayFrame& ray, const Triangle& triangle, Meeting& meeting) {
     const Sheared a = ray(triangle.a), b = ray(triangle.b), c = ray(triangle.c);
     const double u = edgeSide(b, c), v = edgeSide(c, a), w = edgeSide(a, b);
     const double sum = u + v + w;
-    if (u < 0.0 || v < 0.0 || w < 0.0 || !(sum > 0.0))
+    if (u < 0.0 || v < 0.0 || w < 0.0 || !(sum > 0.0) || beginsInPlane(ray, triangle))
         return false;
     meeting = {(u * a.z + v * b.z + w * c.z) * ray.scale / sum, u / sum, v / sum, w / sum};
     return true;
@@ -57,6 +67,9 @@ struct Stretch {
     double after = 0.0, least = 0.0, most = std::numeric_limits<double>::infinity();
     [[nodiscard]] bool holds(double t) const { return t > after && t >= least && t <= most; }
 };
+
+/// Whether a ray that passes beside a polygon, at a point of its plane, is in a gap.
+using GapTest = std::function<bool(const Vec3& passes, std::span<const Vec3> corners)>;
 
 /// Triangles of one class of surface, and a hierarchy over them.
 class TriangleSet {
@@ -97,10 +110,11 @@ public:
     [[nodiscard]] bool isHole(const world::World& world, const Triangle& triangle, const Meeting& at) const;
 
     /// Lowers `nearest` to the nearest front face in the stretch, as if triangles were larger by `margin`
-    /// metres all around. Cut-outs are tested. `boxRay` must have that margin. Slow: meant for the few rays
-    /// that meet nothing otherwise.
+    /// metres all around. Cut-outs are tested. `boxRay` must have that margin. `isGap(passes, corners)` is called
+    /// for each such triangle, and false leaves it out. Slow: meant for the few rays that meet nothing otherwise.
     void findNearestGrown(const world::World& world, const RayFrame& ray, const BoxRay& boxRay,
-                          const Stretch& stretch, double margin, Nearest& nearest) const;
+                          const Stretch& stretch, double margin, const GapTest& isGap,
+                          Nearest& nearest) const;
 
 private:
     std::vector<Triangle> triangles_;

@@ -206,7 +206,7 @@ bool Admission::openingRegion(std::uint32_t index, const Graph::Portal& portal,
     // exactly in the planes of both.
     clipPolygon(relative, visit.entryPlane, kInPlaneTolerance, s_.beyond);
     if (!in_.rules.eyePlaneClip) {
-        clipPolygon(s_.beyond, {in_.view.forward, -kDefaultNearPlane}, 0.0, s_.swap);
+        clipPolygon(s_.beyond, {in_.view.forward, -kNearestPlace}, 0.0, s_.swap);
         s_.beyond.swap(s_.swap);
     }
     for (Vec3& v : s_.beyond)

@@ -2,6 +2,7 @@
 
 #include "visibility/Admission.h"
 #include "visibility/CellFlood.h"
+#include "visibility/EyeSpace.h"
 #include "visibility/Region.h"
 #include "visibility/SiblingOrder.h"
 
@@ -53,8 +54,8 @@ public:
 private:
     void addRoot() {
         Visit root;
-        root.zone = in_.graph.spaces()[in_.view.root].zone;
-        root.space = in_.view.root;
+        root.space = spaceOfEye(in_.graph, in_.view.eye, in_.view.root);
+        root.zone = in_.graph.spaces()[root.space].zone;
         root.vertexCount = 4;
         root.inPlane =
             true; // all rays begin at the eye: the in-plane rule applies to the portals out of this space

@@ -109,7 +109,7 @@ void Graph::addPortal(const PortalDesc& desc, std::span<const SpaceDesc> spaces,
         {plane, desc.space, desc.destination, desc.reciprocal, desc.firstVertex, desc.vertexCount, desc.exact,
          isWithinZone, static_cast<std::uint32_t>(outlines_.size()),
          static_cast<std::uint32_t>(outline.size()),
-         std::min(kInPlaneTolerance, kBeforePlaneTolerance + unevenness(plane, polygon, outline))});
+         std::min(kInPlaneTolerance, kEyeInPlaneTolerance + unevenness(plane, polygon, outline))});
     outlines_.insert(outlines_.end(), outline.begin(), outline.end());
 }
 

@@ -30,7 +30,9 @@ struct Rules {
 
 /// Bounds that the caller sets on one flood.
 struct Limits {
-    std::uint32_t maxVisits = 4096; ///< beyond it, the visits with the smallest regions are left out
+    /// Beyond it, the visits with the smallest regions are left out. A level of 3,364 cells, each a zone of its own,
+    /// needs up to 7,000.
+    std::uint32_t maxVisits = 32768;
     Rules rules{};
 };
 

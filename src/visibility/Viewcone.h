@@ -144,7 +144,7 @@ private:
     /// it is so by more than the tolerance, and outside only if by more than it.
     static constexpr double kToleranceShare = 2e-6;
     static constexpr double kTolerance = 0.004;
-    static_assert(kToleranceShare > kEntryPlaneToleranceSlope && kTolerance > kEntryPlaneTolerance);
+    static_assert(kToleranceShare > kEntryPlaneToleranceSlope && kTolerance > kInPlaneTolerance);
     struct Cone {
         Plane entry;
         std::uint32_t firstEdges = 0, edgesCount = 0, parent = 0;

@@ -18,7 +18,7 @@ inline constexpr std::uint32_t kNoZone = std::numeric_limits<std::uint32_t>::max
 /// One visit of the eye's rays to a zone: its region on the screen, its entry plane and its portal.
 struct Visit {
     std::uint32_t zone = 0;  ///< kNoZone for a hole
-    std::uint32_t space = 0; ///< the space entered (the root space for the root); kNone for a hole
+    std::uint32_t space = 0; ///< the space entered (EyeSpace.h for the root); kNone for a hole
     std::uint32_t parent = std::numeric_limits<std::uint32_t>::max(); ///< index into visits; max for the root
     std::uint32_t portal =
         std::numeric_limits<std::uint32_t>::max(); ///< the portal it was entered through; max for the root

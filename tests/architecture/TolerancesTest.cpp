@@ -131,7 +131,7 @@ TEST(Tolerances, noFileSpellsOutACharacteristicValue) {
     };
     const auto shared = tolerances();
     std::set<double> values;
-    for (const char* name : {"kInPlaneTolerance", "kBlockFloatTolerance", "kSnapTolerance"})
+    for (const char* name : {"kInPlaneTolerance", "kEyeInPlaneTolerance", "kSnapTolerance"})
         values.insert(valueOf(shared.at(name)).value());
     for (const Definition& constant : constants()) {
         const bool isUnrelated = unrelated.contains(constant.file + " " + constant.name);

@@ -37,14 +37,14 @@ inline DrawnImages drawnOf(std::uint32_t width, std::uint32_t height, std::uint3
     images.width = width;
     images.height = height;
     images.ids.assign(width * height, id);
-    images.depth.assign(width * height, id < 2 ? 0.0f : static_cast<float>(images.nearPlane / 4.0));
+    images.depth.assign(width * height, id < 2 ? 0.0f : static_cast<float>(images.depthUnit / 4.0));
     return images;
 }
 
 /// Second looks answered by functions. A function that is not set excuses nothing.
 struct HandMadeRetracer final : Retracer {
     std::function<std::uint32_t(double, double)> exactId, byZoneId;
-    std::function<bool(double, double)> cut, into;
+    std::function<bool(double, double)> into;
     std::function<bool(std::uint32_t)> edgeOn, depth;
     std::function<double(std::uint32_t)> rounding;
     std::vector<std::uint32_t> near;
@@ -55,7 +55,6 @@ struct HandMadeRetracer final : Retracer {
         return answer(exactId ? exactId(x, y) : 99);
     }
     reference::Answer byZone(double x, double y) override { return answer(byZoneId ? byZoneId(x, y) : 99); }
-    bool isCutByNearPlane(double x, double y) override { return cut && cut(x, y); }
     bool leadsIntoTheRoot(double x, double y) override { return !into || into(x, y); }
     bool isEdgeOn(double, double, std::uint32_t id, double) override { return edgeOn && edgeOn(id); }
     double outlineRounding(double, double, std::uint32_t id) override {

@@ -7,8 +7,9 @@
 namespace limen::check {
 namespace {
 
-constexpr std::array<ViewKind, kKindCount> kEveryKind{ViewKind::Random, ViewKind::Outside, ViewKind::Path,
-                                                      ViewKind::Sweep, ViewKind::Still};
+constexpr std::array<ViewKind, kKindCount> kEveryKind{
+    ViewKind::Random, ViewKind::Outside,  ViewKind::Path,      ViewKind::Sweep,
+    ViewKind::Still,  ViewKind::Straddle, ViewKind::Telephoto, ViewKind::Wide};
 
 std::size_t sum(const KindCounts& counts) {
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
@@ -31,7 +32,8 @@ TEST(Plan, kindsWithoutAPlaceLeaveTheirShareToOthers) {
     const BlockSummary dungeon{{1, 1}, 30, false, false}, hills{{2, 2}, 0, false, true};
     const std::vector<ViewKind> below = kindsWithPlaces(kEveryKind, std::vector{dungeon});
     EXPECT_EQ(below,
-              (std::vector<ViewKind>{ViewKind::Random, ViewKind::Path, ViewKind::Sweep, ViewKind::Still}));
+              (std::vector<ViewKind>{ViewKind::Random, ViewKind::Path, ViewKind::Sweep, ViewKind::Still,
+                                     ViewKind::Straddle, ViewKind::Telephoto, ViewKind::Wide}));
     EXPECT_EQ(sum(shareAmongKinds(50, below)), 50u);
     EXPECT_EQ(kindsWithPlaces(kEveryKind, std::vector{hills}), std::vector<ViewKind>{ViewKind::Outside});
     EXPECT_EQ(kindsWithPlaces(kEveryKind, std::vector{dungeon, hills}).size(), kEveryKind.size());

@@ -80,8 +80,9 @@ struct SmallRun {
 
     explicit SmallRun(std::size_t views = 60) {
         const std::vector<BlockSummary> blocks{{house.source.home(), 2, true, true}};
-        constexpr std::array<ViewKind, kKindCount> kAll{ViewKind::Random, ViewKind::Outside, ViewKind::Path,
-                                                        ViewKind::Sweep, ViewKind::Still};
+        constexpr std::array<ViewKind, kKindCount> kAll{
+            ViewKind::Random, ViewKind::Outside,  ViewKind::Path,      ViewKind::Sweep,
+            ViewKind::Still,  ViewKind::Straddle, ViewKind::Telephoto, ViewKind::Wide};
         request.tasks = planTasks(blocks, house.tour, shareAmongKinds(views, kAll));
         request.width = request.sweepWidth = 24;
         request.height = request.sweepHeight = 16;
@@ -168,9 +169,9 @@ TEST(Run, aStoppedRunContinuesAndEndsAsAWholeOne) {
     SmallRun whole, stopped;
     whole.drawer.breakIt = stopped.drawer.breakIt = breakSome;
     const Totals all = whole.run();
-    stopped.drawer.failAfter = 37;
+    stopped.drawer.failAfter = 25;
     EXPECT_FALSE(runCheck(stopped.request, stopped.drawer, {}, stopped.progress));
-    EXPECT_EQ(stopped.progress.totals.sum().views, 37u);
+    EXPECT_EQ(stopped.progress.totals.sum().views, 25u);
     const auto kept = parseProgress(progressJson(stopped.progress));
     ASSERT_TRUE(kept);
     stopped.progress = *kept;

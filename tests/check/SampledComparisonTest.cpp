@@ -118,10 +118,10 @@ TEST(SampledComparison, aHiddenPolygonIsWrong) {
     EXPECT_EQ(pixel.result.findings(), 1u);
 }
 
-TEST(SampledComparison, whatShowsThroughACutWallIsNotJudged) {
+TEST(SampledComparison, raysOutOfTheSpaceOfAnEyeOnAWallAreNotJudged) {
     Sampled pixel;
     pixel.draw(0);
-    pixel.retracer.cut = [](double x, double y) { return x == 3.0 && y == 2.0; };
+    pixel.retracer.into = [](double x, double y) { return x != 3.0 || y != 2.0; };
     EXPECT_EQ(pixel.verdict(), Verdict::Unjudged);
 }
 

@@ -23,6 +23,9 @@ std::vector<View> allViews(const Surroundings& around) {
     addTourViews(around, 30, views);
     addWalkViews(around, 120, views);
     addSweepViews(around, 200, views);
+    addStraddleViews(around, 40, views);
+    addLensViews(around, ViewKind::Telephoto, 20, views);
+    addLensViews(around, ViewKind::Wide, 20, views);
     return views;
 }
 
@@ -57,6 +60,43 @@ TEST(Views, randomOnesLieInEveryCell) {
         EXPECT_TRUE(motion::cellContains(house.world, world::findCell(house.world, view.root), view.eye));
     }
     EXPECT_EQ(cells.size(), 2u);
+}
+
+TEST(Views, straddlingOnesAreAtOpeningsOnBothSides) {
+    const House house;
+    std::vector<View> views;
+    addStraddleViews(house.around(), 400, views);
+    ASSERT_GT(views.size(), 380u);
+    std::size_t before = 0, past = 0, close = 0;
+    for (const View& view : views) {
+        const world::SpaceIndex root =
+            view.root == 0 ? world::kOutside : world::findCell(house.world, view.root);
+        double off = 1.0;
+        const world::Space& space = house.world.spaces[root];
+        for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
+            const double side = house.world.portals[p].plane.signedDistance(view.eye);
+            off = std::abs(side) < std::abs(off) ? side : off;
+        }
+        EXPECT_LE(std::abs(off), 0.0100001) << view.about;
+        EXPECT_GE(off, -kInPlaneTolerance - 1e-9) << view.about;
+        before += off > 0.0 ? 1 : 0;
+        past += off < 0.0 ? 1 : 0;
+        close += std::abs(off) < 1e-5 ? 1 : 0;
+    }
+    EXPECT_GT(before, 200u);
+    EXPECT_GT(past, 50u);
+    EXPECT_GT(close, 50u);
+}
+
+TEST(Views, lensesAreLongOrWide) {
+    const House house;
+    std::vector<View> views;
+    addLensViews(house.around(), ViewKind::Telephoto, 10, views);
+    addLensViews(house.around(), ViewKind::Wide, 10, views);
+    ASSERT_EQ(views.size(), 20u);
+    for (const View& view : views)
+        EXPECT_TRUE(view.kind == ViewKind::Wide ? view.fov >= 150.0 && view.fov <= 170.0
+                                                : view.fov >= 2.0 && view.fov <= 10.0);
 }
 
 TEST(Views, randomOnesAreFoundInACellWithoutATree) {

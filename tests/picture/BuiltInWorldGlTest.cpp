@@ -145,8 +145,7 @@ TEST_P(BuiltInWorld, case02_eyesOnBothSidesOfEveryPortalAreClean) {
     }
 }
 
-/// Whether the eye is in the cell and so far from its walls that the near plane cuts none. Pixels seen
-/// through a wall that is cut are not judged.
+/// Whether the eye is in the cell and off its walls.
 bool clearOfWalls(const world::World& world, world::SpaceIndex cell, const Vec3& eye) {
     constexpr double kClear = 0.05;
     for (int axis = 0; axis < 3; ++axis) {

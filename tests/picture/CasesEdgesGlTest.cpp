@@ -211,7 +211,9 @@ TEST_P(CasesEdges, case31_nearerToAnEdgeThanFloatsTell) {
     for (std::size_t edge = 0; edge < polygon.size(); ++edge) {
         const Vec3 &from = polygon[edge], &to = polygon[(edge + 1) % polygon.size()];
         const Vec3 outwards = glm::normalize(glm::cross(to - from, half.plane.n));
-        for (const double before : {1e-9, 4e-9, 1.4e-8, 6e-8, 2e-6}) {
+        // In the plane, up to kEyeInPlaneTolerance. 2 micrometres were in the plane, too, when it was 10; now a ray of
+        // such an eye may graze the wall at 4e-6 rad, where depth is off by a fortieth (docs/cases.md#known-faults).
+        for (const double before : {1e-9, 4e-9, 1.4e-8, 6e-8, 4e-7}) {
             for (const double beside : {1e-12, 1e-9, 1e-8, 4e-7, 2e-6}) {
                 SCOPED_TRACE(::testing::Message()
                              << "edge " << edge << ", " << before << " m before, " << beside << " m beside");

@@ -147,6 +147,9 @@ double NaiveTracer::meets(const Triangle& triangle, const Ray& ray, double& v, d
         const Vec3 q = glm::cross(s, triangle.ab);
         w = glm::dot(ray.direction, q) / determinant;
         const double t = glm::dot(triangle.ac, q) / determinant;
+        const Vec3 normal = glm::normalize(glm::cross(triangle.ab, triangle.ac));
+        if (std::abs(glm::dot(normal, s)) <= 0.0000005)
+            return std::numeric_limits<double>::infinity(); // the eye is in its plane
         if (v >= -kEdge && w >= -kEdge && v + w <= 1.0 + kEdge && t >= ray.nearPlane)
             return t;
     }
@@ -189,6 +192,16 @@ void NaiveTracer::addLayers(world::SpaceIndex space, const Ray& ray, double afte
     std::sort(layers.begin(), layers.end());
 }
 
+// Metres from a portal's plane to an eye in it: float rounding of corners, and their distance to the plane.
+double NaiveTracer::beforePlane(const world::Portal& portal) const {
+    double before = 0.0000005;
+    const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
+    for (const auto& corners : {polygon, world::cornersOf(world_, portal)})
+        for (const Vec3& corner : corners)
+            before = std::max(before, 0.0000005 + std::abs(portal.plane.signedDistance(corner)));
+    return std::min(before, kTolerance);
+}
+
 world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
                                               world::PortalIndex cameBy, double& t) const {
     world::PortalIndex nearest = world::kNone;
@@ -201,11 +214,7 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
             continue;
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
         const double side = portal.plane.signedDistance(ray.eye);
-        double before = 0.00001; // float rounding of corners, and their distance to the plane
-        for (const auto& corners : {polygon, world::cornersOf(world_, portal)})
-            for (const Vec3& corner : corners)
-                before = std::max(before, 0.00001 + std::abs(portal.plane.signedDistance(corner)));
-        const bool inPlane = after <= 0.0 && side >= -kTolerance && side <= std::min(before, kTolerance) &&
+        const bool inPlane = after <= 0.0 && side >= -kTolerance && side <= beforePlane(portal) &&
                              containsProjection(polygon, portal.plane.n, ray.eye, 0.0);
         const double at = inPlane ? 0.0 : -side / speed;
         const bool ahead = inPlane || (side > 0.0 && at > after);
@@ -216,6 +225,35 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
         }
     }
     return nearest;
+}
+
+// An eye past the plane of an opening, by more than rounding and at most the tolerance, begins behind it.
+world::SpaceIndex NaiveTracer::beyondPassed(world::SpaceIndex space, const Vec3& eye) const {
+    const auto isIn = [&](const world::Portal& portal) {
+        return containsProjection(world::cornersOf(world_, portal), portal.plane.n, eye, 0.0);
+    };
+    const auto isPassed = [&](world::PortalIndex i) {
+        const world::Portal& portal = world_.portals[i];
+        const double past = -portal.plane.signedDistance(eye);
+        if (portal.cornerCount < 3 || portal.walled || portal.destination == world::kNone ||
+            past <= beforePlane(portal) || past > kTolerance || !isIn(portal))
+            return false;
+        return portal.exact || portal.reciprocal == world::kNone ||
+               (world_.portals[portal.reciprocal].plane.signedDistance(eye) > 0.0 &&
+                isIn(world_.portals[portal.reciprocal]));
+    };
+    world::PortalIndex back = world::kNone;
+    for (int passed = 0; passed < 4; ++passed) {
+        const world::Space& from = world_.spaces[space];
+        world::PortalIndex portal = from.firstPortal;
+        while (portal < from.firstPortal + from.portalCount && (portal == back || !isPassed(portal)))
+            ++portal;
+        if (portal == from.firstPortal + from.portalCount)
+            break;
+        back = world_.portals[portal].reciprocal;
+        space = world_.portals[portal].destination;
+    }
+    return space;
 }
 
 bool NaiveTracer::passesReciprocal(world::PortalIndex index, const Ray& ray) const {
@@ -232,7 +270,7 @@ NaiveTracer::Answer NaiveTracer::trace(world::SpaceIndex root, const Ray& ray) c
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     Answer answer;
     double t0 = 0.0;
-    world::SpaceIndex space = root;
+    world::SpaceIndex space = beyondPassed(root, ray.eye);
     world::PortalIndex cameBy = world::kNone;
     const double slack = kTolerance / std::sqrt(glm::dot(ray.direction, ray.direction));
     for (;;) {

@@ -66,6 +66,8 @@ private:
     [[nodiscard]] world::PortalIndex nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
                                                    world::PortalIndex cameBy, double& t) const;
 
+    [[nodiscard]] double beforePlane(const world::Portal& portal) const;
+    [[nodiscard]] world::SpaceIndex beyondPassed(world::SpaceIndex space, const Vec3& eye) const;
     /// An inexact pair is open where both polygons are; through only one of them a ray enters a hole.
     [[nodiscard]] bool passesReciprocal(world::PortalIndex portal, const Ray& ray) const;
 

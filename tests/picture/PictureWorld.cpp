@@ -209,7 +209,7 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
     drawn.height = frame.height;
     drawn.ids = picture.ids;
     drawn.depth = picture.depth;
-    drawn.nearPlane = frame.nearPlane;
+    drawn.depthUnit = frame.nearPlane;
     for (const gpu::LayerSum& layers : picture.layers)
         drawn.layers.push_back({layers.count, layers.hash});
     check::Comparison comparison;

@@ -79,8 +79,7 @@ public:
     [[nodiscard]] check::Comparison judge(const Picture& picture);
     /// The driver's own text for its version, e.g. "4.5 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string driverVersion() const;
-    /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test. Not that
-    /// behind a wall which the near plane cuts.
+    /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test.
     Picture expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options = {});
 
     std::uint32_t width = 96, height = 64; ///< of the views that `look` makes

@@ -1,3 +1,4 @@
+#include "visibility/EyeSpace.h"
 #include "visibility/GraphBuilder.h"
 #include "visibility/Region.h"
 
@@ -115,26 +116,71 @@ TEST(Flood, insideAZoneOpeningsFarApartAreFollowedEachByItself) {
 
 TEST(Flood, inThePlaneInsideTheOpeningTheFarHalfBelongsToTheSpaceBehind) {
     const Graph graph = rowOfRooms(2).build();
-    for (const double offset : {-0.0001, -0.000009, 0.0, 0.0001}) {
+    for (const double offset : {-0.0001, -0.0000004, 0.0, 0.0000004}) {
         const VisibleSet set = floodOnce(graph, viewFrom({0.2, 10 + offset, 0.1}, 90, 0, 0));
         ASSERT_EQ(set.visits.size(), 2u) << offset;
-        EXPECT_EQ(set.visits[1].inPlane, offset > -0.00001)
+        EXPECT_EQ(set.visits[1].inPlane, offset > -0.0000005)
             << "from before the plane, rays leave where they cross it";
         EXPECT_EQ(chainOf(set, ownerOf(set, {-0.1, 0.3, 1})), (Chain{0, 1})) << "left of the view is north";
         EXPECT_EQ(chainOf(set, ownerOf(set, {0.1, 0.3, 1})), (Chain{0}));
     }
 }
 
+TEST(Flood, anEyeThatHasPassedAnOpeningBeginsBehindIt) {
+    const Graph graph = rowOfRooms(3).build();
+    for (const double past : {0.0000006, 0.0001, 0.00019}) {
+        const View view = viewFrom({0.2, 10 + past, 0.1}, 90, 0, 0);
+        EXPECT_EQ(spaceOfEye(graph, view.eye, 0), 1u);
+        const VisibleSet set = floodOnce(graph, view);
+        ASSERT_EQ(set.visits.size(), 2u) << past;
+        EXPECT_EQ(set.visits[0].space, 1u);
+        EXPECT_EQ(chainOf(set, ownerOf(set, {-0.1, 0.3, 1})), (Chain{1})) << "left of the view is north";
+        EXPECT_EQ(chainOf(set, ownerOf(set, {0.1, 0.3, 1})), (Chain{1, 0}));
+    }
+}
+
+TEST(Flood, anEyeStaysInItsRootInThePlaneTooFarPastItAndBesideIt) {
+    const Graph graph = rowOfRooms(2).build();
+    for (const double past : {-0.0001, 0.0, 0.0000004, 0.00021})
+        EXPECT_EQ(spaceOfEye(graph, {0.2, 10 + past, 0.1}, 0), 0u) << past;
+    EXPECT_EQ(spaceOfEye(graph, {3, 10.0001, 0.1}, 0), 0u);
+}
+
+TEST(Flood, anEyeThatHasPassedOneOpeningOfAnInexactPairBeginsBehindItOnlyIfThroughBoth) {
+    GraphBuilder world;
+    world.addSpace();
+    world.addSpace();
+    world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
+                      uprightRectangle({1, 10, 0}, {0, 1, 0}, 4, 2));
+    const Graph graph = world.build();
+    EXPECT_EQ(spaceOfEye(graph, {0.5, 10.0001, 0}, 0), 1u);
+    EXPECT_EQ(spaceOfEye(graph, {-1.5, 10.0001, 0}, 0), 0u);
+}
+
+TEST(Flood, leavesNothingOutOfAViewOfSevenThousandCells) {
+    GraphBuilder world;
+    world.addSpace();
+    for (std::uint32_t i = 0; i < 7000; ++i) {
+        world.addSpace();
+        world.link(
+            0, i + 1,
+            uprightRectangle({-7.0 + 0.2 * (i % 70), 10, -5.0 + 0.1 * (i / 70)}, {0, -1, 0}, 0.1, 0.05));
+    }
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
+    EXPECT_EQ(set.counts.visitsCut, 0u);
+    EXPECT_EQ(set.visits.size(), 7001u);
+}
+
 TEST(Flood, anOpeningInWhosePlaneTheEyeLiesIsNearerThanAnyOther) {
-    // To the north, 0.005 mm ahead, an opening whose plane counts as containing the eye; to the east, 0.003
-    // mm ahead, one that begins beside the eye.
+    // To the north, 0.3 micrometres ahead, an opening whose plane counts as containing the eye; to the east, 0.2
+    // micrometres ahead, one that begins beside the eye.
     GraphBuilder world;
     world.addSpace();
     world.addSpace();
     world.addSpace();
     world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
-    world.link(0, 2, uprightRectangle({0.500003, 10.999998, 0}, {-1, 0, 0}, 2, 2));
-    const VisibleSet set = floodOnce(world.build(), viewFrom({0.5, 9.999995, 0}, 30, 0, 0));
+    world.link(0, 2, uprightRectangle({0.5000002, 10.9999998, 0}, {-1, 0, 0}, 2, 2));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0.5, 9.9999997, 0}, 30, 0, 0));
     ASSERT_GE(set.visits.size(), 2u);
     EXPECT_EQ(chainOf(set, ownerOf(set, {0, 0, 1})), (Chain{0, 1}));
     EXPECT_EQ(chainOf(set, ownerOf(set, {-0.2, 0.1, 1})), (Chain{0, 1}));

@@ -1,6 +1,7 @@
 #include "peer/Peer.h"
 #include "peer/osg/OsgScene.h"
 
+#include "geometry/Tolerances.h"
 #include "gpu/device/HeadlessContext.h"
 #include "plain/GlTarget.h"
 
@@ -98,7 +99,7 @@ void OsgWay::setLight(const FramePlace& place) {
 
 void OsgWay::setCamera(const frame::FrameView& view) {
     const Vec3 eye = view.view.eye - scene_->origin();
-    nearPlane_ = view.nearPlane;
+    nearPlane_ = kNearestPlace; // it has no reversed depth
     const double x = view.view.tanHalfX * nearPlane_, y = view.view.tanHalfY * nearPlane_;
     viewer_.getCamera()->setProjectionMatrixAsFrustum(-x, x, -y, y, nearPlane_, kFarPlane);
     viewer_.getCamera()->setViewMatrixAsLookAt(toOsg(eye), toOsg(eye + view.view.forward),

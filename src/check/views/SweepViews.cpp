@@ -9,7 +9,7 @@ namespace limen::check {
 namespace {
 
 constexpr double kFovOfSweeps = 75.0; // degrees
-/// Metres from an edge or a corner. The near plane, at 2 cm, cuts the wall beside some of them.
+/// Metres from an edge or a corner.
 constexpr double kBesideLeast = 0.004, kBesideMost = 0.06;
 /// Metres from the opening's plane: a point there is in the space on that side, unless a wall leans over it.
 constexpr double kAnchor = 0.005;

@@ -46,4 +46,13 @@ void addWalkViews(const Surroundings& around, std::size_t count, std::vector<Vie
 /// cm, and around kInPlaneTolerance. Gazes: along, against, sideways, at grazing angles and random.
 void addSweepViews(const Surroundings& around, std::size_t count, std::vector<View>& out);
 
+/// Viewpoints at openings: 1 micrometre to 1 cm off the plane, on either side, anywhere inside or as far off an edge or
+/// a corner. Up to kInPlaneTolerance off the plane, half of the eyes are said to be on the other side. Gazes: along the
+/// plane, up to 0.3 rad off it, and random.
+void addStraddleViews(const Surroundings& around, std::size_t count, std::vector<View>& out);
+
+/// Random viewpoints with extreme fields of view. Telephoto: 2 to 10 degrees, towards an opening of the cell or one
+/// behind it. Wide: 150 to 170 degrees.
+void addLensViews(const Surroundings& around, ViewKind kind, std::size_t count, std::vector<View>& out);
+
 } // namespace limen::check
