@@ -5,7 +5,9 @@
 #include "peer/Peer.h"
 #include "plain/PlainWay.h"
 
+#include "geometry/Tolerances.h"
 #include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace limen::bench::test {
@@ -27,9 +29,11 @@ FramePicture pictureOf(FrameWay& way, const FramePlace& place) {
     return way.read();
 }
 
-/// Whether two depths (near plane / view depth) are those of one surface.
+/// Whether two depths (near plane / view depth) are those of one surface. The peer's depth of a far surface is off by
+/// 1e-6 of its near plane, kNearestPlace.
 bool isSameDepth(float a, float b) {
-    return std::abs(a - b) <= 0.01f * std::max(a, b) + 1e-6f;
+    constexpr auto kFarError = static_cast<float>(1e-6 * kDefaultNearPlane / kNearestPlace);
+    return std::abs(a - b) <= 0.01f * std::max(a, b) + kFarError;
 }
 
 /// Share of the pixels with another depth than Limen's.

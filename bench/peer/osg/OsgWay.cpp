@@ -15,8 +15,9 @@ namespace limen::bench {
 
 namespace {
 
-constexpr double kFarPlane = 4000.0; // metres
-constexpr int kWarmUpFrames = 2;     // they upload textures and buffers
+constexpr double kPeerNearPlane = kNearestPlace; // metres: it has no reversed depth
+constexpr double kFarPlane = 4000.0;             // metres
+constexpr int kWarmUpFrames = 2;                 // they upload textures and buffers
 
 osg::Vec3d toOsg(const Vec3& v) {
     return {v.x, v.y, v.z};
@@ -61,7 +62,7 @@ private:
     std::shared_ptr<const engine::LoadedPart> part_; ///< that `scene_` is of
     std::optional<OsgScene> scene_;
     osg::ref_ptr<osg::Group> standing_; ///< the static instances of `part_`
-    double nearPlane_ = 0.0;
+    double depthUnit_ = 0.0;            ///< the near plane of the frame over that of the peer
 };
 
 Result<void> OsgWay::show(const FramePlace& place) {
@@ -99,9 +100,9 @@ void OsgWay::setLight(const FramePlace& place) {
 
 void OsgWay::setCamera(const frame::FrameView& view) {
     const Vec3 eye = view.view.eye - scene_->origin();
-    nearPlane_ = kNearestPlace; // it has no reversed depth
-    const double x = view.view.tanHalfX * nearPlane_, y = view.view.tanHalfY * nearPlane_;
-    viewer_.getCamera()->setProjectionMatrixAsFrustum(-x, x, -y, y, nearPlane_, kFarPlane);
+    depthUnit_ = view.nearPlane / kPeerNearPlane;
+    const double x = view.view.tanHalfX * kPeerNearPlane, y = view.view.tanHalfY * kPeerNearPlane;
+    viewer_.getCamera()->setProjectionMatrixAsFrustum(-x, x, -y, y, kPeerNearPlane, kFarPlane);
     viewer_.getCamera()->setViewMatrixAsLookAt(toOsg(eye), toOsg(eye + view.view.forward),
                                                toOsg(view.view.up));
 }
@@ -115,9 +116,9 @@ Result<void> OsgWay::draw() {
 
 FramePicture OsgWay::read() {
     FramePicture picture{target_.width(), target_.height(), target_.readColour(), target_.readDepth()};
-    const double share = (kFarPlane - nearPlane_) / kFarPlane;
+    const double share = (kFarPlane - kPeerNearPlane) / kFarPlane;
     for (float& depth : picture.depth) // 1 at the far plane, where nothing was drawn
-        depth = depth < 1.0f ? static_cast<float>(1.0 - depth * share) : 0.0f;
+        depth = depth < 1.0f ? static_cast<float>((1.0 - depth * share) * depthUnit_) : 0.0f;
     return picture;
 }
 
