@@ -77,7 +77,7 @@ bool saveTexts(const fs::path& directory) {
 }
 
 bool saveSql(const fs::path& directory) {
-    const char* const texts[] = {"\x40DELETE FROM `weenie` WHERE `class_Id` = 5;\nINSERT INTO `weenie` "
+    const char* const texts[] = {"\100DELETE FROM `weenie` WHERE `class_Id` = 5;\nINSERT INTO `weenie` "
                                  "(`class_Id`, `class_Name`, `type`) VALUES (5, "
                                  "'it''s', 19) /* Door */;\nINSERT INTO `weenie_properties_bool` VALUES (1, "
                                  "5, 2, True), (2, 5, 3, b'0');",
