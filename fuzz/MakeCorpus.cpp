@@ -77,22 +77,22 @@ bool saveTexts(const fs::path& directory) {
 }
 
 bool saveSql(const fs::path& directory) {
-    const char* const texts[] = {"\100DELETE FROM `weenie` WHERE `class_Id` = 5;\nINSERT INTO `weenie` "
+    constexpr const char* rows = "\100DELETE FROM `weenie` WHERE `class_Id` = 5;\nINSERT INTO `weenie` "
                                  "(`class_Id`, `class_Name`, `type`) VALUES (5, "
                                  "'it''s', 19) /* Door */;\nINSERT INTO `weenie_properties_bool` VALUES (1, "
-                                 "5, 2, True), (2, 5, 3, b'0');",
-                                 "\x01INSERT INTO `landblock_instance` (`guid`, `weenie_Class_Id`, "
-                                 "`obj_Cell_Id`, `origin_X`, `origin_Y`, `origin_Z`, "
-                                 "`angles_W`, `angles_X`, `angles_Y`, `angles_Z`, `is_Link_Child`) VALUES "
-                                 "(0x7A000001, 5, 0xA9B40100, 1.5, -2e1, 0, 1, "
-                                 "0, 0, 0, False);\nINSERT INTO landblock_instance_link (parent_GUID, "
-                                 "child_GUID) VALUES (0x7A000001, 2);",
-                                 "\x10INSERT INTO weenie VALUES (7,'a\\'b',1,NOW());-- x\nINSERT INTO "
-                                 "weenie_properties_string VALUES (1,7,1,\"n\");",
-                                 "\x20mariadb://ann@host:3306/world?socket=/run/s"};
+                                 "5, 2, True), (2, 5, 3, b'0');";
+    constexpr const char* placed = "\x01INSERT INTO `landblock_instance` (`guid`, `weenie_Class_Id`, "
+                                   "`obj_Cell_Id`, `origin_X`, `origin_Y`, `origin_Z`, "
+                                   "`angles_W`, `angles_X`, `angles_Y`, `angles_Z`, `is_Link_Child`) VALUES "
+                                   "(0x7A000001, 5, 0xA9B40100, 1.5, -2e1, 0, 1, "
+                                   "0, 0, 0, False);\nINSERT INTO landblock_instance_link (parent_GUID, "
+                                   "child_GUID) VALUES (0x7A000001, 2);";
+    constexpr const char* quoted = "\x10INSERT INTO weenie VALUES (7,'a\\'b',1,NOW());-- x\nINSERT INTO "
+                                   "weenie_properties_string VALUES (1,7,1,\"n\");";
+    constexpr const char* url = "\x20mariadb://ann@host:3306/world?socket=/run/s";
     bool good = true;
     int number = 0;
-    for (const char* text : texts)
+    for (const char* text : {rows, placed, quoted, url})
         good = save(directory / std::to_string(number++), text) && good;
     return good;
 }
