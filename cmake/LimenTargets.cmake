@@ -71,8 +71,9 @@ endfunction()
 # a CTest test. The tests of a suite share a process, because many use the same world, which takes longer to
 # make than to test. TOGETHER: all suites share one process. LONG: starts first. The target `unlabelled_tests`
 # builds the programs without labels, which are those that run under sanitizers. WHOLE: the program tests
-# whole worlds, or none that reads foreign bytes; the target `whole_world_tests` builds it, for `./test --all`. Test code is not optimised, which
-# halves its compile time. BUSY: it is, because the test itself computes much.
+# whole worlds, or no code that reads foreign bytes; the target `whole_world_tests` builds it, for
+# `./test --all`. Test code is not optimised, which halves its compile time. BUSY: it is, because the test itself
+# computes much.
 add_custom_target(unlabelled_tests)
 add_custom_target(whole_world_tests)
 function(limen_test name)
