@@ -1,6 +1,7 @@
 #include "AllocationCount.h"
 #include "BenchTable.h"
 #include "CallsBench.h"
+#include "CardBench.h"
 #include "CrowdBench.h"
 #include "DatBench.h"
 #include "DispatchBench.h"
@@ -42,6 +43,7 @@ constexpr std::array kBenches{
         "whole frames along the tour, compared with frames without visibility, a plain renderer and a scene "
         "graph",
         &benchFrame, nullptr, &benchFrameWith},
+    Bench{"card", "GPU time of whole frames on a graphics card, by stage", &benchCard},
     Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
     Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},

@@ -1,4 +1,5 @@
 #include "GlFixture.h"
+#include "IsColour.h"
 
 #include <tuple>
 
@@ -49,9 +50,9 @@ TEST_F(LightingGlTest, sunByTheAngle_clampedWithTheAmbientLight) {
     scene.plan.constants.sunDirection = {0.6f, -0.8f, 0, 0};
     EXPECT_EQ(colourOf(scene), glm::ivec3(204, 102, 0));
     scene.plan.constants.skyAmbient = {0.5f, 0.1f, 0.2f, 0};
-    EXPECT_EQ(colourOf(scene), glm::ivec3(255, 128, 51));
+    EXPECT_THAT(colourOf(scene), IsColour(255, 128, 51));
     scene.plan.constants.sunDirection = {0, 1, 0, 0}; // behind the wall
-    EXPECT_EQ(colourOf(scene), glm::ivec3(128, 26, 51));
+    EXPECT_THAT(colourOf(scene), IsColour(128, 26, 51));
 }
 
 TEST_F(LightingGlTest, groundHasAnAmbientLightOfItsOwn_cutToBytes) {
@@ -155,7 +156,7 @@ TEST_F(LightingGlTest, fogIsEverywhere_butOnAdditiveSurfaces) {
         scene.plan.constants.fogColour = {1, 0, 0, 1};
         scene.plan.constants.fogRange = {1, 3, 0, 0};
         const Frame frame = render(scene, 9); // the middle pixel is 2 m away: half fog
-        EXPECT_EQ(frame.at(4, 4), glm::ivec3(255, 128, 128)) << zone;
+        EXPECT_THAT(frame.at(4, 4), IsColour(255, 128, 128)) << zone;
     }
     SceneBuilder scene;
     scene.root(0);

@@ -1,4 +1,5 @@
 #include "GlFixture.h"
+#include "IsColour.h"
 
 #include <gmock/gmock.h>
 
@@ -177,8 +178,8 @@ TEST_F(OwnershipGlTest, memberOfTwoZonesIsLitByTheRootsIfThatIsOneOfThem) {
     const Frame ungated = draw(false);
     EXPECT_EQ(gated.ids, ungated.ids);
     EXPECT_EQ(gated.colour, ungated.colour);
-    EXPECT_EQ(gated.at(6, 6), glm::ivec3(128, 64, 0));
-    EXPECT_EQ(gated.at(7, 7), glm::ivec3(128, 64, 0));
+    EXPECT_THAT(gated.at(6, 6), IsColour(128, 64, 0));
+    EXPECT_THAT(gated.at(7, 7), IsColour(128, 64, 0));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "world/mesh/PolygonMesher.h"
 #include "world/records/PolygonSource.h"
 #include "world/records/Pose.h"
+#include "world/records/Records.h"
 
 namespace limen::world {
 namespace {

@@ -1,6 +1,7 @@
 #include "check/views/Viewpoints.h"
 
 #include "geometry/Tolerances.h"
+#include "world/Lookup.h"
 
 #include <fmt/format.h>
 
