@@ -21,6 +21,7 @@ layout(location = kAttributeLook) in uvec4 inLook;
 layout(location = kAttributeMembers) in uvec4 inMembers;
 
 invariant gl_Position;
+#include "clip.glsl"
 #define LOOK out
 #include "fastlook.glsl"
 #include "fastmaterial.glsl"
@@ -114,6 +115,7 @@ void setSurface(vec3 eyeRelative) {
 void main() {
     vec3 eyeRelative = eyeRelativePlace();
     gl_Position = clipFromEye(eyeRelative);
+    clipBy(uint(inOffsetRest.w));
 #ifdef TERRAIN
     Look look = lookOf(eyeRelative, vec3(1.0), 0.0, 1.0);
     vTimes = look.times;

@@ -4,6 +4,7 @@
 #define BLENDED
 #define SKY
 #include "skylight.glsl"
+#include "clip.glsl"
 
 layout(location = kAttributePosition) in vec3 inPosition;
 layout(location = kAttributeNormal) in vec4 inNormal;
@@ -18,6 +19,7 @@ void main() {
     SkyInstance object = skyInstances[uint(gl_BaseInstanceARB)];
     Material material = materialAt(materialRefAt(object.firstMaterial + (inPolygonSurface >> 16)));
     gl_Position = skyPosition(object, inPosition);
+    clipBy(object.clipSet);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
     setTexture(material, Look(material.colour.rgb * skyLight(object, material, inNormal.xyz), vec3(0.0)));
     vAlpha = blendedAlpha(material, object.opacity, kAllAlpha);

@@ -16,6 +16,7 @@ layout(location = kAttributeFacet) in vec3 inFacet;
 layout(location = kAttributeRest) in vec3 inRest;
 
 invariant gl_Position;
+#include "clip.glsl"
 layout(location = kVaryingEyeRelative) SMOOTH out vec3 vEyeRelative;
 layout(location = kVaryingLight) SMOOTH out vec3 vLight;
 layout(location = kVaryingUv) SMOOTH out vec3 vUv; // z: see paintAround
@@ -221,4 +222,5 @@ void main() {
         gl_Position = vec4(0.0, 0.0, 0.0, 1.0); // faces away, or has no area
     }
 #endif
+    clipBy(clipSetOf(drawn & ~kGated));
 }

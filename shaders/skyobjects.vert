@@ -2,6 +2,7 @@
 // instance.
 #extension GL_ARB_shader_draw_parameters : require
 #include "skylight.glsl"
+#include "clip.glsl"
 #include "samples.glsl"
 
 layout(location = kAttributePosition) in vec3 inPosition;
@@ -18,6 +19,7 @@ void main() {
     uint index = uint(gl_BaseInstanceARB);
     SkyInstance object = skyInstances[index];
     gl_Position = skyPosition(object, inPosition);
+    clipBy(object.clipSet);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
     vInstance = index;
     vMaterial = materialRefAt(object.firstMaterial + (inPolygonSurface >> 16));

@@ -230,7 +230,7 @@ LIMEN_STRUCT(Instance) {
     vec4 pose0 LIMEN_ZERO;
     vec4 pose1 LIMEN_ZERO;
     vec4 pose2 LIMEN_ZERO;
-    uint block LIMEN_ZERO;
+    uint block LIMEN_ZERO; // in the low half; the high half: a clip set (kClipSetShift), only of the plan's records
     uint idBase LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
@@ -254,6 +254,8 @@ LIMEN_CONST kFromAnywhere = 0xFFFFFFFFu;
 LIMEN_CONST kMeasureObject = 0u; // world::LevelMeasure
 LIMEN_CONST kMeasureLandcell = 1u;
 LIMEN_CONST kMeasures = 4u; // a power of two
+LIMEN_CONST kBlockMask = 0xFFFFu; // of Instance.block
+LIMEN_CONST kClipSetShift = 16u;
 LIMEN_CONST kMostMembers = 0xFFFFu;
 LIMEN_CONST kOneMember = 0x10000u; // of DrawRecord.members, in place of the count
 
@@ -383,7 +385,8 @@ LIMEN_STRUCT(SlotGroup) {
 };
 
 // Eight half-spaces, eye-relative. Inside: dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.
-// Unused ones are (0,0,0,1).
+// Unused ones are (0,0,0,1). In plans that clip (FramePlan::clips) they are lines on the screen: p is (x, y, w) in clip
+// space, the planes become clip distances, and the first set has no lines.
 LIMEN_STRUCT(ClipSet) {
     vec4 planes[8] LIMEN_ZERO;
 };
@@ -412,7 +415,7 @@ LIMEN_STRUCT(DrawRecord) {
     vec4 row0 LIMEN_ZERO; // eye-relative from model, by rows; w: the offset, rounded to float
     vec4 row1 LIMEN_ZERO;
     vec4 row2 LIMEN_ZERO;
-    vec4 rest LIMEN_ZERO;    // xyz: residual of the offset
+    vec4 rest LIMEN_ZERO;    // xyz: residual of the offset; w: the clip set
     vec4 ambient LIMEN_ZERO; // rgb: light from everywhere; w: opacity
     vec4 sun LIMEN_ZERO;     // rgb: light of the sun at a surface that faces it
     uvec4 look LIMEN_ZERO;   // Instance.firstMaterial, Instance.highlight, LightSet.firstLamp and lampCount
@@ -433,7 +436,7 @@ LIMEN_STRUCT(SkyInstance) {
     float uvOffsetY LIMEN_ZERO;
     float diffuse LIMEN_ZERO; // factor of the sun's light
     uint overLand LIMEN_ZERO; // 1: over everything outdoors, else behind it
-    uint reserved2 LIMEN_ZERO;
+    uint clipSet LIMEN_ZERO;  // in plans that clip
 };
 
 #ifdef __cplusplus

@@ -66,7 +66,7 @@ vec3 originOf(Instance instance) {
 }
 
 Instance instanceOf(uvec4 pose0, uvec4 pose1, uvec4 pose2, uvec4 first, uvec4 second) {
-    return Instance(uintBitsToFloat(pose0), uintBitsToFloat(pose1), uintBitsToFloat(pose2), first.x, first.y, first.z, first.w,
+    return Instance(uintBitsToFloat(pose0), uintBitsToFloat(pose1), uintBitsToFloat(pose2), first.x & kBlockMask, first.y, first.z, first.w,
                     second.x, second.y, second.z, uintBitsToFloat(second.w));
 }
 

@@ -33,6 +33,9 @@ uint leafVisit() {
 
 // Whether the pixel's ray ended outside.
 bool keepOutside() {
+#ifdef CLIPPED
+    return true; // the clip planes decide
+#endif
     return visitAt(leafVisit()).zone == kOutside;
 }
 

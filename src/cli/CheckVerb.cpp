@@ -36,6 +36,8 @@ std::string worldOptions(const CheckOptions& options, const engine::WorldSource&
     std::string text = source.datOption;
     if (!options.session.load.mergeZones)
         text += " --zones cells";
+    if (options.session.gate != frame::Gate::Ownership)
+        text += fmt::format(" --gate {}", frame::nameOf(options.session.gate));
     if (options.session.load.radius != world::LoadOptions{}.radius)
         text += fmt::format(" --radius {}", options.session.load.radius);
     return text;
@@ -274,6 +276,7 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--json", options->json, "print the result as one JSON object");
     addSessionOptions(*verb, options->session);
     addDrawing(*verb, options->session, gpu::Drawing::Exact, "exact");
+    addGate(*verb, options->session);
     verb->footer(
         "With --msaa 4 pictures are drawn in one colour per id and compared sample by sample.\n"
         "Exit codes: 0: every pixel is correct; 1: some pixels are wrong; 2: the check failed to run.\n"

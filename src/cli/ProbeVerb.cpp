@@ -70,6 +70,7 @@ void addProbeVerb(CLI::App& program, const Console& console, Choice& choice) {
     const auto options = std::make_shared<ProbeOptions>();
     addPathOptions(*verb, options->path, kProbeFrames);
     addSessionOptions(*verb, options->session);
+    addGate(*verb, options->session);
     verb->footer(
         "Prints one line for every change: root (with the path of the eye), visits, spaces seen, outside,\n"
         "stages, blocks loaded, budgets. Draws nothing and needs no driver.\n"

@@ -90,6 +90,20 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
         ->group("World");
 }
 
+void addGate(CLI::App& command, engine::SessionOptions& options) {
+    command
+        .add_option_function<std::string>(
+            "--gate",
+            [&options](const std::string& text) {
+                options.gate = frame::gateNamed(text).value_or(frame::Gate::Ownership);
+            },
+            "choose the way to keep each space within its openings; ownership: exact; planes: clip planes; "
+            "depth: drawing order and depth, as the original did (ownership)")
+        ->type_name("ownership|planes|depth")
+        ->check(oneOf({"ownership", "planes", "depth"}))
+        ->group("World");
+}
+
 void addDrawing(CLI::App& command, engine::SessionOptions& options, gpu::Drawing usual,
                 const std::string& usualText) {
     options.drawing = usual;

@@ -319,6 +319,7 @@ void addShotVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->group("Output");
     addSessionOptions(*verb, options->session);
     addDrawing(*verb, options->session, gpu::Drawing::Fast, "fast; exact with --ids or --depth");
+    addGate(*verb, options->session);
     verb->footer("Writes only the outputs that are given.\n"
                  "Examples:\n  limen shot --at hill -o hill.png\n"
                  "  limen shot --at inn.hall --yaw 90 --size 640x360 -o hall.png --json hall.json");

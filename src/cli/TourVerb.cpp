@@ -257,6 +257,7 @@ void addTourVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->add_flag("--json", options->json, "print one JSON object per frame");
     addSessionOptions(*verb, options->session);
     addDrawing(*verb, options->session, gpu::Drawing::Fast, "fast");
+    addGate(*verb, options->session);
     verb->footer("Examples:\n  limen tour --frames 12 --size 320x180 --report report\n"
                  "  limen tour --turn-table --at lane --size 320x180 --film lane.gif");
     verb->callback([&console, &choice, options, verb] {

@@ -299,6 +299,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
         ->group("Scripts");
     addSessionOptions(*verb, options->session);
     addDrawing(*verb, options->session, gpu::Drawing::Fast, "fast");
+    addGate(*verb, options->session);
     verb->add_option(
             "--keys", options->keys,
             "read key bindings from this JSON file, e.g. {\"use\": \"F\"}; the window's help page writes it "

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "frame/SceneBuilder.h"
+#include "frame/WorldGraph.h"
 #include "visibility/EyeSpace.h"
 
 #include <utility>
@@ -19,6 +20,7 @@ Result<void> Pipeline::show(std::unique_ptr<PartPlanner> part) {
 std::unique_ptr<PartPlanner> Pipeline::take(std::unique_ptr<PartPlanner> part) {
     LIMEN_ASSERT(part != nullptr, "there is a part to show");
     isPlanned_ = false;
+    spaceGraph_.reset();
     return std::exchange(part_, std::move(part));
 }
 
@@ -31,6 +33,24 @@ std::shared_ptr<const LoadedPart> Pipeline::sharePart() const {
     return part_ != nullptr ? part_->part : nullptr;
 }
 
+void Pipeline::setGate(frame::Gate gate) {
+    isPlanned_ = isPlanned_ && gate == gate_;
+    gate_ = gate;
+}
+
+Result<const visibility::Graph*> Pipeline::graph() {
+    if (gate_ == frame::Gate::Ownership)
+        return &part().graph;
+    if (!spaceGraph_) {
+        Result<visibility::Graph> made =
+            frame::visibilityGraph(part().world, frame::GraphZones::EachSpace);
+        if (!made)
+            return tl::unexpected(made.error());
+        spaceGraph_.emplace(std::move(*made));
+    }
+    return &*spaceGraph_;
+}
+
 void Pipeline::updateDynamics(const motion::DynamicStateInput& input) {
     LIMEN_ASSERT(part_ != nullptr, "show a part first");
     part_->dynamics.build(input, state_.dynamics);
@@ -39,7 +59,10 @@ void Pipeline::updateDynamics(const motion::DynamicStateInput& input) {
 
 Result<void> Pipeline::flood(const visibility::View& view, const visibility::Limits& limits) {
     isPlanned_ = false;
-    return visibility::flood(part().graph, state_.dynamics.closed, view, limits, scratch_, state_.visible);
+    const Result<const visibility::Graph*> graph = this->graph();
+    if (!graph)
+        return tl::unexpected(graph.error());
+    return visibility::flood(**graph, state_.dynamics.closed, view, limits, scratch_, state_.visible);
 }
 
 Result<void> Pipeline::trace(const visibility::View& view, visibility::FloodTrace& trace) {
@@ -54,6 +77,7 @@ void Pipeline::plan(const frame::FrameView& view) {
                          visibility::spaceOfEye(part().graph, view.view.eye, view.view.root),
                  "the flood was from this view");
     frame::FrameView planned = view;
+    planned.gate = gate_;
     planned.fewTests = planned.fillsVoids = renderer_.options().drawing == gpu::Drawing::Fast;
     planned.details &= view.look == world::Look::Enhanced || renderer_.choices().details;
     part_->planner.plan(planned, state_.dynamics, state_.visible, state_.plan);

@@ -7,6 +7,7 @@
 #include "visibility/Flood.h"
 
 #include <memory>
+#include <optional>
 
 namespace limen::engine {
 
@@ -36,6 +37,10 @@ public:
     [[nodiscard]] const LoadedPart& part() const;
     [[nodiscard]] std::shared_ptr<const LoadedPart> sharePart() const;
 
+    /// Sets the gate of the next floods and plans. Gates may change from frame to frame.
+    void setGate(frame::Gate gate);
+    [[nodiscard]] frame::Gate gate() const { return gate_; }
+
     void updateDynamics(const motion::DynamicStateInput& input);
     /// Uses the closed openings of the last dynamic state. Errors: as visibility::flood.
     [[nodiscard]] Result<void> flood(const visibility::View& view, const visibility::Limits& limits = {});
@@ -53,7 +58,13 @@ public:
     [[nodiscard]] const gpu::Renderer& renderer() const { return renderer_; }
 
 private:
+    /// The graph that the gate's flood follows. Errors: portals that the graph refuses.
+    [[nodiscard]] Result<const visibility::Graph*> graph();
+
     std::unique_ptr<PartPlanner> part_;
+    frame::Gate gate_ = frame::Gate::Ownership;
+    /// Of the part, with a zone for each space; made for the first frame of another gate than Gate::Ownership.
+    std::optional<visibility::Graph> spaceGraph_;
     gpu::Renderer renderer_;
     visibility::FloodScratch scratch_;
     FrameState state_;

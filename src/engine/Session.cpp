@@ -62,6 +62,7 @@ Session::Session(std::shared_ptr<const WorldSource> source, const SessionOptions
                             .drawing = options.drawing,
                             .culling = options.culling}) {
     LIMEN_ASSERT(source_ != nullptr, "a session has a source");
+    pipeline_.setGate(options_.gate);
 }
 
 Session::~Session() = default;
@@ -70,6 +71,11 @@ gpu::Device& Session::drawnOn() {
     if (checked_)
         return *checked_;
     return device_;
+}
+
+void Session::setGate(frame::Gate gate) {
+    options_.gate = gate;
+    pipeline_.setGate(gate);
 }
 
 void Session::setQuality(std::size_t quality) {

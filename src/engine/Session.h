@@ -52,6 +52,8 @@ public:
     }
     /// Sets the options of the next loads. The part on the screen stays until `follow` or `load` replaces it.
     void setLoadOptions(const world::LoadOptions& load) { options_.load = load; }
+    /// Sets the gate of the next frames.
+    void setGate(frame::Gate gate);
     /// Sets a quality level, an index into kQualities. Samples and filtering change with the next frame.
     /// Loading options apply to the next load; a residency starts it in the next frame.
     void setQuality(std::size_t quality);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frame/Gate.h"
 #include "gpu/RendererOptions.h"
 #include "world/Loader.h"
 
@@ -13,6 +14,7 @@ struct SessionOptions {
     std::string dat; ///< directory; empty: the built-in world
     world::LoadOptions load;
     gpu::Drawing drawing = gpu::Drawing::Exact;
+    frame::Gate gate = frame::Gate::Ownership;
     gpu::TextureMode textures = gpu::TextureMode::Auto;
     gpu::Culling culling = gpu::Culling::Hidden;
     /// Samples a pixel in frames without ids and layers, on any driver; 1: no multisampling; 0: presetSamples.

@@ -30,7 +30,7 @@ bool DrawRecords::isInRange(std::uint32_t instance) const {
     if (drawn.level == gpu::kFromAnywhere)
         return true;
     const gpu::Level& level = tables_.levels[drawn.level];
-    const gpu::vec4& block = plan_.blocks[drawn.block];
+    const gpu::vec4& block = plan_.blocks[drawn.block & gpu::kBlockMask];
     const auto stepsOf = [](float eye, float origin) {
         return static_cast<std::int64_t>(eye) -
                static_cast<std::int64_t>(origin * static_cast<float>(gpu::kRangeSteps));
@@ -78,12 +78,12 @@ gpu::DrawRecord DrawRecords::of(std::uint32_t instance) const {
 void DrawRecords::place(const gpu::Instance& instance, gpu::DrawRecord& record) const {
     const gpu::vec4 &a = instance.pose0, &b = instance.pose1, &c = instance.pose2;
     // The offset from the eye in two floats. Near the eye, the sum of the first with a coordinate is exact.
-    const Vec3 offset = offsetOf(instance.block, {c.y, c.z, c.w});
+    const Vec3 offset = offsetOf(instance.block & gpu::kBlockMask, {c.y, c.z, c.w});
     const Vec3f first(offset);
     record.row0 = {a.x, a.w, b.z, first.x};
     record.row1 = {a.y, b.x, b.w, first.y};
     record.row2 = {a.z, b.y, c.x, first.z};
-    record.rest = {Vec3f(offset - Vec3(first)), 0.0f};
+    record.rest = {Vec3f(offset - Vec3(first)), static_cast<float>(instance.block >> gpu::kClipSetShift)};
 }
 
 gpu::Member DrawRecords::memberThatLights(const gpu::Instance& instance) const {

@@ -21,6 +21,9 @@ void FramePlan::clear() {
     runs.clear();
     batches.clear();
     stages.clear();
+    gate = Gate::Ownership;
+    clips = false;
+    spaces.clear();
     firstOccludee = 0;
     counts = {};
 }

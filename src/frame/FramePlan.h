@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frame/Gate.h"
 #include "frame/GpuLayout.h"
 
 #include <array>
@@ -10,7 +11,8 @@
 // A frame's draws as plain data: made by frame/Planner.h, executed by gpu (or recorded by its null device).
 namespace limen::frame {
 
-/// The stages of every frame, for any root (docs/architecture.md).
+/// The stages of a frame. With Gate::Ownership a frame has each once, in this order, for any root
+/// (docs/architecture.md). With Gate::Depth, Ownership draws the depths of openings, and kinds repeat.
 enum class StageKind : std::uint8_t { Ownership, Solid, Sky, Transparent, Overlay };
 inline constexpr std::size_t kStageCount = 5;
 [[nodiscard]] constexpr const char* nameOf(StageKind kind) {
@@ -27,8 +29,15 @@ enum class Program : std::uint8_t {
     Terrain,    ///< landblocks
     SkyPlain,   ///< one screen-filling triangle: the plain sky and its id
     SkyObjects, ///< sky meshes; baseInstance indexes skyInstances
-    Blended     ///< meshes of the transparent stage
+    Blended,    ///< meshes of the transparent stage
+    Stamp,      ///< depth of openings at the far plane, in front of everything; vertices as Ownership
+    Fence       ///< depth of openings where they are; vertices as Ownership
 };
+inline constexpr std::size_t kProgramCount = 9;
+/// Programs that draw triangles of ownershipVertices.
+[[nodiscard]] constexpr bool drawsOpenings(Program program) {
+    return program == Program::Ownership || program == Program::Stamp || program == Program::Fence;
+}
 
 /// A run of FramePlan::rects. Count 0: the whole window.
 struct RectRun {
@@ -49,8 +58,10 @@ struct PieceRun {
 struct Batch {
     Program program = Program::Opaque;
     bool gated = false; ///< the program variant with the ownership test, which some of the runs may take
-    std::uint32_t first = 0, count = 0; ///< runs; for Ownership: vertices
-    std::uint32_t draws = 0; ///< pieces of all its runs; for Ownership and SkyPlain: 1 if they draw anything
+    std::uint32_t first = 0, count = 0; ///< runs; of openings: vertices; of SkyPlain: first clip set, 0
+    /// Pieces of all its runs. For openings: 1 if they draw anything. For SkyPlain: triangles, one for each clip
+    /// set.
+    std::uint32_t draws = 0;
 };
 
 /// Makes the device records of dynamic instances when the plan is drawn. The instances stay in the dynamic
@@ -78,6 +89,7 @@ struct DynamicChange {
 struct Stage {
     StageKind kind = StageKind::Solid;
     std::uint32_t firstBatch = 0, batchCount = 0;
+    bool clearsDepth = false; ///< before its batches
 };
 
 /// Counts of one plan, for frame.json and the panel. They include draws and triangles that the device culls
@@ -88,6 +100,15 @@ struct PlanCounts {
     std::uint32_t instancesCulled = 0, instancesDrawn = 0; ///< shares of instancesTested
     std::uint32_t drawsUngated = 0, triangles = 0;         ///< of the drawn instances
     std::uint32_t boundsTested = 0; ///< tests of a bounding sphere against a visit, of clusters and instances
+};
+
+/// A space as another gate than Gate::Ownership draws it.
+struct GatedSpace {
+    std::uint32_t space = 0;
+    std::uint32_t regions = 0;   ///< convex regions on the screen
+    std::uint32_t planes = 0;    ///< clip planes of all of them
+    std::uint32_t fallbacks = 0; ///< regions with too many edges, which are drawn in their bounding rectangle
+    friend bool operator==(const GatedSpace&, const GatedSpace&) = default;
 };
 
 /// One frame. Reused from frame to frame: `clear` keeps every capacity, so that a steady frame allocates
@@ -114,7 +135,10 @@ struct FramePlan {
     std::vector<gpu::DrawPiece> pieces; ///< of dynamic instances and of the sky
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
-    std::vector<Stage> stages; ///< in order, one of each kind
+    std::vector<Stage> stages;      ///< in order
+    Gate gate = Gate::Ownership;    ///< that made this plan; Ownership for a single visit
+    bool clips = false;             ///< clipSets are clip distances; the programs have no ownership test
+    std::vector<GatedSpace> spaces; ///< of other gates: in drawing order, far to near, each once
     /// The first batch that occlusion culling applies to. The batches before it are walls and ground, its
     /// occluders.
     std::uint32_t firstOccludee = 0;

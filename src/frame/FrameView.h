@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frame/Gate.h"
 #include "geometry/Tolerances.h"
 #include "visibility/View.h"
 #include "world/Look.h"
@@ -42,6 +43,7 @@ struct FrameView {
     std::optional<Vec3> viewerLight;    ///< the light that the viewer carries in cells, global; none outdoors
     Vec3f voidColour{0.5f, 0.0f, 0.5f}; ///< shown where the world has a hole
     Rules rules;
+    Gate gate = Gate::Ownership;
     /// Instances of the root's zone that no opening can hide are drawn without the ownership test. The picture
     /// is the same, but for surfaces in the plane of a shut opening.
     bool fewTests = false;

@@ -60,7 +60,7 @@ static_assert(offsetof(SkyInstance, row0) == 0 && offsetof(SkyInstance, row1) ==
               offsetof(SkyInstance, opacity) == 52 && offsetof(SkyInstance, luminosity) == 56 &&
               offsetof(SkyInstance, uvOffsetX) == 60 && offsetof(SkyInstance, uvOffsetY) == 64 &&
               offsetof(SkyInstance, diffuse) == 68 && offsetof(SkyInstance, overLand) == 72 &&
-              offsetof(SkyInstance, reserved2) == 76);
+              offsetof(SkyInstance, clipSet) == 76);
 static_assert(sizeof(TerrainCell) ==
               kLayersPerCell * sizeof(TerrainLayer)); // the shaders read an array of layers
 

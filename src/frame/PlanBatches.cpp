@@ -1,8 +1,21 @@
 #include "frame/PlanBatches.h"
 
-#include "frame/ResidentPieces.h"
-
 namespace limen::frame {
+
+Program programOf(DrawClass drawn) {
+    switch (drawn) {
+    case DrawClass::Wall:
+    case DrawClass::Opaque:
+        return Program::Opaque;
+    case DrawClass::Terrain:
+        return Program::Terrain;
+    case DrawClass::CutOut:
+        return Program::CutOut;
+    case DrawClass::Blended:
+        return Program::Blended;
+    }
+    return Program::Opaque;
+}
 
 void beginStage(FramePlan& plan, StageKind kind) {
     plan.stages.push_back({kind, static_cast<std::uint32_t>(plan.batches.size()), 0});

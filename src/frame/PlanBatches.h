@@ -1,10 +1,14 @@
 #pragma once
 
 #include "frame/FramePlan.h"
+#include "frame/ResidentPieces.h"
 #include "world/World.h"
 
 // Functions that write a plan: its stages in order, in each its batches, in each batch its runs of pieces.
 namespace limen::frame {
+
+/// The program that draws a class.
+[[nodiscard]] Program programOf(DrawClass drawn);
 
 void beginStage(FramePlan& plan, StageKind kind);
 void endStage(FramePlan& plan);

@@ -4,8 +4,10 @@
 #include "core/Prefetch.h"
 #include "frame/Highlights.h"
 #include "frame/Ownership.h"
-#include "frame/PackInstance.h"
 #include "frame/PlanBatches.h"
+#include "frame/PlanDynamics.h"
+#include "frame/PlanSky.h"
+#include "frame/gates/GatePlanner.h"
 
 #include <algorithm>
 
@@ -28,35 +30,6 @@ bool seesOutside(const visibility::VisibleSet& set) {
     return std::any_of(set.visits.begin(), set.visits.end(),
                        [](const visibility::Visit& v) { return v.zone == world::kOutsideZone; });
 }
-
-/// From the eye to the nearest point of a sphere, metres; negative inside it.
-double nearestOf(const Sphere& sphere, const Vec3& eye) {
-    const Vec3 offset = sphere.centre - eye;
-    return std::sqrt(glm::dot(offset, offset)) - sphere.radius;
-}
-
-Program programOf(DrawClass drawn) {
-    switch (drawn) {
-    case DrawClass::Wall:
-    case DrawClass::Opaque:
-        return Program::Opaque;
-    case DrawClass::Terrain:
-        return Program::Terrain;
-    case DrawClass::CutOut:
-        return Program::CutOut;
-    case DrawClass::Blended:
-        return Program::Blended;
-    }
-    return Program::Opaque;
-}
-
-PieceRun gatedIf(bool gated, PieceRun run) {
-    run.gated = gated;
-    return run;
-}
-
-/// Dynamic instances whose mesh is prefetched ahead of the one that is planned.
-constexpr std::size_t kMeshesAhead = 8;
 
 // Light in cells: docs/formats/light.md.
 constexpr float kSealedAmbient = 0.2f;
@@ -85,12 +58,21 @@ Planner::Planner(const StaticScene& scene)
     : scene_(scene), world_(scene.world()), pieces_(scene.pieces()), selection_(scene),
       rects_(world_.zones.size()), dynamicPieces_(scene.meshPieces()) {}
 
+Planner::~Planner() = default;
+
 void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
                    const visibility::VisibleSet& set, FramePlan& plan) {
     LIMEN_ASSERT(!set.visits.empty(), "a flood yields at least the root");
     plan.clear();
     fillConstants(frame, set, plan);
     placeLamps(frame.view.eye, plan);
+    // With a single visit there is nothing to gate, and all gates have one plan.
+    if (frame.gate != Gate::Ownership && set.visits.size() > 1) {
+        if (gates_ == nullptr)
+            gates_ = std::make_unique<GatePlanner>(scene_);
+        gates_->plan(frame, dynamics, set, plan);
+        return;
+    }
     beginStage(plan, StageKind::Ownership);
     planOwnership(world_, dynamics, frame, set, plan);
     const bool several = set.visits.size() > 1;
@@ -101,7 +83,7 @@ void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
     endStage(plan);
     rects_.find(frame, set, plan);
     selection_.select(frame, dynamics, set);
-    planDynamic(frame, dynamics, plan);
+    planDynamics(world_, frame, dynamics, selection_.dynamicInstances(), dynamicPieces_, plan);
     replaceHighlighted(scene_, frame.highlights, plan);
     beginStage(plan, StageKind::Solid);
     planSolid(several, plan);
@@ -157,7 +139,7 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.fogRange = {sky.fogNear, sky.fogFar, 0.0f, 0.0f};
     c.skyZenith = {sky.fogColour * Vec3f(kZenith[0], kZenith[1], kZenith[2]), 1.0f};
     c.voidColour = {frame.voidColour, 1.0f};
-    c.rootZone = set.visits[0].zone;
+    c.rootZone = world_.spaces[set.visits[0].space].zone; // not the visit's: a flood may have zones of its own
     c.visitCount = static_cast<std::uint32_t>(set.visits.size());
     c.flags = (frame.exactCutOuts ? gpu::kFrameExactCutOuts : 0) |
               (frame.look == world::Look::Enhanced ? gpu::kFramePixelLamps : 0);
@@ -181,37 +163,11 @@ void Planner::placeLamps(const Vec3& eye, FramePlan& plan) {
         plan.lamps[lamps_[i].second].colour.w = world_.lights[lamps_[i].second].intensity;
 }
 
-void Planner::planDynamic(const FrameView& frame, const world::DynamicState& dynamics, FramePlan& plan) {
-    dynamicPieces_.begin(plan);
-    plan.dynamicRecords = recordsOf(dynamics.instances);
-    const world::ListedInstances& listed = dynamics.listed;
-    const std::span<const SelectedDynamic> selected = selection_.dynamicInstances();
-    plan.dynamicInstances.resize(selected.size());
-    for (std::size_t i = 0; i < selected.size(); ++i) {
-        if (i + kMeshesAhead < selected.size())
-            dynamicPieces_.prefetchFor(listed.mesh[selected[i + kMeshesAhead] & ~gpu::kGated]);
-        const std::uint32_t at = selected[i] & ~gpu::kGated;
-        dynamicPieces_.add(listed.mesh[at], plan.constants.staticInstances + static_cast<std::uint32_t>(i),
-                           (selected[i] & gpu::kGated) != 0);
-        plan.dynamicInstances[i] = listed.instance[at];
-        if (listed.isListedAgain[at] != 0 || !frame.highlights.empty())
-            changeDynamic(frame, dynamics, static_cast<std::uint32_t>(i), plan);
-    }
-}
-
-void Planner::changeDynamic(const FrameView& frame, const world::DynamicState& dynamics, std::uint32_t number,
-                            FramePlan& plan) const {
-    const world::Instance& instance = dynamics.instances[plan.dynamicInstances[number]];
-    const auto spaces = std::span(dynamics.members).subspan(instance.firstMember, instance.memberCount);
-    const MemberRun members = packMembers(world_, spaces, {plan.members, plan.constants.staticMembers});
-    plan.dynamicChanges.push_back({number, members.first, membersAndKind(members.count, instance.kind),
-                                   colourOf(frame.highlights, instance.object)});
-}
-
 void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) {
     beginBatch(programOf(drawn), several, plan);
     for (const SelectedRange& range : selection_.ranges()) {
-        PieceRun run = gatedIf(range.gated, pieces_.run(range.first, range.end, drawn));
+        PieceRun run = pieces_.run(range.first, range.end, drawn);
+        run.gated = range.gated;
         run.rects = rects_.of(range.zone);
         addRun(run, plan);
     }
@@ -232,85 +188,28 @@ void Planner::planSolid(bool several, FramePlan& plan) {
     addSolid(DrawClass::CutOut, several, plan);
 }
 
-void Planner::addSkyObjects(bool overLand, FramePlan& plan) {
-    for (const world::SkyPlacement& p : sky_) {
-        if (p.isOverLand != overLand)
-            continue;
-        const world::SkyPart& part = world_.sky.parts[p.part];
-        const auto instance = static_cast<std::uint32_t>(plan.skyInstances.size());
-        gpu::SkyInstance out;
-        out.row0 = {p.rotation[0][0], p.rotation[1][0], p.rotation[2][0], p.offset.x};
-        out.row1 = {p.rotation[0][1], p.rotation[1][1], p.rotation[2][1], p.offset.y};
-        out.row2 = {p.rotation[0][2], p.rotation[1][2], p.rotation[2][2], p.offset.z};
-        out.firstMaterial = part.firstMaterial;
-        out.opacity = 1.0f - p.transparent;
-        out.luminosity = p.luminosity;
-        out.diffuse = p.diffuse;
-        out.overLand = overLand ? 1u : 0u;
-        out.uvOffsetX = p.uvOffset.x;
-        out.uvOffsetY = p.uvOffset.y;
-        plan.skyInstances.push_back(out);
-        for (const world::Mesh::Range& range : world_.meshes[part.mesh].ranges)
-            addRun(addOwnPieces(range, instance, plan), plan);
-    }
-}
-
 void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
     const bool seesSky = seesOutside(set);
     if (seesSky || (frame.fillsVoids && plan.visits.size() > 1))
         plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
     if (!seesSky)
         return;
-    world::skyPlacements(world_.sky,
-                         {frame.dayGroup, world::timeOfSky(world_.sky, frame.timeOfDay), frame.seconds,
-                          frame.view.eye.z, frame.view.root == world::kOutside},
-                         sky_);
+    placeSky(world_, frame, sky_);
     beginBatch(Program::SkyObjects, false, plan);
-    const std::size_t firstPiece = plan.pieces.size();
     for (const bool overLand : {false, true})
-        addSkyObjects(overLand, plan);
-    for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i)
-        plan.pieces[i].triangles |= gpu::kNeverCulled;
-}
-
-template <class BoundsOf>
-void Planner::gatherTransparent(const Vec3& eye, std::span<const gpu::DrawPiece> pieces, std::uint32_t first,
-                                const BoundsOf& boundsOf) {
-    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
-        const gpu::DrawPiece& piece = pieces[i];
-        if (transparent_.empty() || transparent_.back().instance != piece.instance) {
-            transparent_.push_back({nearestOf(boundsOf(piece.instance), eye),
-                                    piece.instance,
-                                    {first + i, 0, piece.indicesBefore, 0, false}});
-        }
-        ++transparent_.back().run.pieceCount;
-        transparent_.back().run.indexCount += 3 * piece.triangles;
-    }
+        addSkyObjects(world_, sky_, {overLand}, plan);
 }
 
 void Planner::planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics,
                               FramePlan& plan) {
     transparent_.clear();
-    for (const SelectedRange& range : selection_.ranges()) {
-        const PieceRun all = pieces_.run(range.first, range.end, DrawClass::Blended);
-        gatherTransparent(eye, std::span(pieces_.pieces).subspan(all.firstPiece, all.pieceCount),
-                          all.firstPiece,
-                          [&](std::uint32_t instance) { return world_.instances[instance].bounds; });
-    }
-    const auto firstDynamic = plan.constants.staticPieces + static_cast<std::uint32_t>(plan.pieces.size());
-    gatherTransparent(
-        eye, dynamicPieces_.movePieces(DrawClass::Blended, plan), firstDynamic, [&](std::uint32_t instance) {
-            return dynamics.instances[plan.dynamicInstances[instance - plan.constants.staticInstances]]
-                .bounds;
-        });
-    std::sort(transparent_.begin(), transparent_.end(), [](const TransparentRun& a, const TransparentRun& b) {
-        return a.distance != b.distance ? a.distance > b.distance : a.instance > b.instance;
-    });
+    for (const SelectedRange& range : selection_.ranges())
+        transparent_.addStatic(scene_, eye, range.first, range.end);
+    transparent_.addDynamic(dynamics, eye, dynamicPieces_, plan);
     // With several visits every draw is gated: blended instances are few, and equal gating makes fewer,
     // longer runs.
     beginBatch(Program::Blended, several, plan);
-    for (const TransparentRun& transparent : transparent_)
-        addRun(gatedIf(several, transparent.run), plan);
+    transparent_.write(several, plan);
     countTriangles(plan);
 }
 

@@ -2,12 +2,15 @@
 
 namespace limen::frame {
 
-Result<visibility::Graph> visibilityGraph(const world::World& world) {
+Result<visibility::Graph> visibilityGraph(const world::World& world, GraphZones zones) {
     static_assert(world::kNone == visibility::kNone);
     std::vector<visibility::SpaceDesc> spaces;
     spaces.reserve(world.spaces.size());
-    for (const world::Space& s : world.spaces)
-        spaces.push_back({s.firstPortal, s.portalCount, s.zone});
+    for (const world::Space& s : world.spaces) {
+        const auto number = static_cast<std::uint32_t>(spaces.size());
+        spaces.push_back(
+            {s.firstPortal, s.portalCount, zones == GraphZones::OfWorld ? s.zone : number});
+    }
     std::vector<visibility::PortalDesc> portals;
     std::vector<Vec3> vertices = world.portalCorners; // outlines are appended
     portals.reserve(world.portals.size());

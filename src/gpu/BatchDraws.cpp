@@ -16,7 +16,8 @@ ProgramVariant variantOf(const frame::Batch& batch, const FrameKind& frame) {
             .multisampled = frame.multisampled,
             .details = batch.program == frame::Program::Terrain ? frame.grainedLand : frame.grainedMeshes,
             .pixelLamps = frame.pixelLamps,
-            .ids = frame.options.wantIds};
+            .ids = frame.options.wantIds,
+            .clipped = frame.clipped};
 }
 
 } // namespace
@@ -51,11 +52,13 @@ DrawState stateOf(frame::Program program, const FrameKind& frame) {
     DrawState state;
     // Exact outlines cull back faces per triangle (cull.comp); a portal polygon counts from both sides.
     const bool culled = fast || !frame.exactOutlines;
-    state.cullBackFaces = culled && program != frame::Program::Ownership;
+    state.cullBackFaces = culled && !drawsOpenings(program);
     // A fast sky is tested before it is shaded, which a program that discards and writes depth never is.
     // Sky objects have the depth of the plain sky, or none.
     state.writeDepth = program != frame::Program::Blended && program != frame::Program::SkyObjects &&
                        !(fast && isSky(program));
+    state.depthTest = program == frame::Program::Stamp ? DepthTest::Always : DepthTest::Nearer;
+    state.clips = frame.clipped && !drawsOpenings(program);
     return state;
 }
 

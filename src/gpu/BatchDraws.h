@@ -18,6 +18,7 @@ struct FrameKind {
     bool several = false;                            ///< visits
     bool grainedMeshes = false, grainedLand = false; ///< detail pictures
     bool pixelLamps = false;                         ///< lamps light walls in fragments
+    bool clipped = false;                            ///< FramePlan::clips
     RenderOptions options{};
 };
 

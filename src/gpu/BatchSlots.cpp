@@ -5,7 +5,7 @@
 namespace limen::gpu {
 
 bool hasSlots(const frame::Batch& batch, const RenderOptions& options) {
-    return batch.program != frame::Program::Ownership && batch.program != frame::Program::SkyPlain &&
+    return !drawsOpenings(batch.program) && batch.program != frame::Program::SkyPlain &&
            isDrawn(batch.program, options);
 }
 

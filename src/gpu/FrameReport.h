@@ -14,7 +14,7 @@ struct StageReport {
     std::uint32_t draws = 0;   ///< draw commands; for ownership and the plain sky 1 if they draw anything
     std::uint32_t batches = 0; ///< GL draw calls
     double cpuMs = 0.0;
-    std::optional<double> gpuMs; ///< of the latest frame with timer results
+    std::optional<double> gpuMs; ///< of the latest frame with timer results; none if a stage was repeated
 };
 
 /// Counts and times of the last frame.

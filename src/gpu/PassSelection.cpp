@@ -22,6 +22,9 @@ Pass passOf(frame::Program program, const RenderOptions& options) {
         return options.wantLayers ? Pass::Layers : Pass::Blended;
     case frame::Program::SkyObjects:
         return Pass::Blended;
+    case frame::Program::Stamp:
+    case frame::Program::Fence:
+        return Pass::Depth;
     case frame::Program::Opaque:
     case frame::Program::CutOut:
     case frame::Program::Terrain:

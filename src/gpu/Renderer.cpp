@@ -13,6 +13,7 @@
 #include <chrono>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace limen::gpu {
 namespace {
@@ -34,8 +35,12 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
     }
     for (const frame::Batch& batch : plan.batches) {
         const std::size_t size =
-            batch.program == frame::Program::Ownership ? plan.ownershipVertices.size() : plan.runs.size();
-        LIMEN_ASSERT(std::uint64_t{batch.first} + batch.count <= size, "a batch is within the runs");
+            drawsOpenings(batch.program) ? plan.ownershipVertices.size() : plan.runs.size();
+        LIMEN_ASSERT(batch.program == frame::Program::SkyPlain ||
+                         std::uint64_t{batch.first} + batch.count <= size,
+                     "a batch is within the runs");
+        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain || batch.first + batch.draws <= plan.clipSets.size(),
+                     "each triangle of the sky has a clip set");
     }
     for (const frame::PieceRun& run : plan.runs) {
         LIMEN_ASSERT(std::uint64_t{run.firstPiece} + run.pieceCount <= staticPieces + plan.pieces.size(),
@@ -45,6 +50,13 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
         LIMEN_ASSERT(std::uint64_t{stage.firstBatch} + stage.batchCount <= plan.batches.size(),
                      "a stage is within the batches");
     }
+}
+
+bool hasRepeatedStages(const frame::FramePlan& plan) {
+    std::array<bool, frame::kStageCount> seen{};
+    return std::any_of(plan.stages.begin(), plan.stages.end(), [&](const frame::Stage& stage) {
+        return std::exchange(seen[static_cast<std::size_t>(stage.kind)], true);
+    });
 }
 
 class Stopwatch {
@@ -217,6 +229,7 @@ FrameKind Renderer::kindOf(const frame::FramePlan& plan, const RenderTarget& tar
             .grainedMeshes = tiling[layout::kDetailOfExteriors] > 0 || tiling[layout::kDetailOfShells] > 0,
             .grainedLand = tiling[layout::kDetailOfLand] > 0,
             .pixelLamps = (plan.constants.flags & layout::kFramePixelLamps) != 0,
+            .clipped = plan.clips,
             .options = options};
 }
 
@@ -301,12 +314,14 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
         device_->setState(state);
         switch (batch.program) {
         case frame::Program::Ownership:
+        case frame::Program::Stamp:
+        case frame::Program::Fence:
             device_->drawVertices(batch.first, batch.count);
             break;
         case frame::Program::SkyPlain:
             if (fillsVoids(draw.variant, frame))
                 device_->readDrawn();
-            device_->drawVertices(0, 3 * batch.draws);
+            device_->drawVertices(3 * batch.first, 3 * batch.draws);
             break;
         default:
             device_->drawIndirect(commands + draw.firstSlot * sizeof(layout::DrawCommand), draw.count);
@@ -316,10 +331,14 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
 
 void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commands, const FrameKind& frame) {
     std::optional<Pass> current;
+    timesStages_ = !hasRepeatedStages(plan); // a timer measures one interval a frame
     for (const frame::Stage& stage : plan.stages) {
         const Stopwatch watch;
         StageReport& report = report_.stages[static_cast<std::size_t>(stage.kind)];
-        device_->beginStage(stage.kind);
+        if (stage.clearsDepth)
+            device_->clear(TargetImage::Depth, 0.0f);
+        if (timesStages_)
+            device_->beginStage(stage.kind);
         for (std::uint32_t i = 0; i < stage.batchCount; ++i) {
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
             if (!isFast() && stage.firstBatch + i == plan.firstOccludee && culling_->usesOcclusion())
@@ -334,7 +353,8 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commands, co
             ++report.batches;
             report.draws += batch.draws;
         }
-        device_->endStage(stage.kind);
+        if (timesStages_)
+            device_->endStage(stage.kind);
         report.cpuMs += watch.milliseconds();
     }
 }
@@ -384,7 +404,7 @@ FrameReport Renderer::report() const {
     if (culling_ != nullptr && culling_->failure())
         report.trouble = culling_->failure()->message();
     const StageTimes times = device_->stageTimes();
-    for (std::size_t i = 0; i < times.size(); ++i)
+    for (std::size_t i = 0; timesStages_ && i < times.size(); ++i)
         report.stages[i].gpuMs = times[i];
     return report;
 }

@@ -109,6 +109,7 @@ private:
     std::vector<Retired> retired_; ///< oldest first
     std::uint64_t frames_ = 0;     ///< number of frames drawn
     FrameReport report_;
+    bool timesStages_ = true; ///< the last frame had each stage once
 };
 
 } // namespace limen::gpu

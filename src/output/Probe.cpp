@@ -46,6 +46,24 @@ bool seesOutside(const std::vector<std::string>& spaces) {
     return std::binary_search(spaces.begin(), spaces.end(), "outside");
 }
 
+/// The spaces that another gate than Gate::Ownership draws, far to near, each with its regions and planes.
+Json gatedSpaces(const ProbeFacts& facts) {
+    Json spaces = Json::array();
+    for (const frame::GatedSpace& gated : facts.plan.spaces)
+        spaces.push_back({{"space", engine::spaceName(facts.world, gated.space)},
+                          {"regions", gated.regions},
+                          {"planes", gated.planes},
+                          {"fallbacks", gated.fallbacks}});
+    return spaces;
+}
+
+std::uint32_t outsideRegions(const frame::FramePlan& plan) {
+    for (const frame::GatedSpace& gated : plan.spaces)
+        if (gated.space == world::kOutside)
+            return gated.regions;
+    return 0;
+}
+
 std::string stagesOf(const frame::FramePlan& plan) {
     std::vector<std::string> stages;
     for (const frame::Stage& stage : plan.stages)
@@ -70,6 +88,8 @@ void Probe::take(const ProbeFacts& facts, Decisions& out) {
         out.seen.push_back(seen.space);
     for (const frame::Stage& stage : facts.plan.stages)
         out.stages.push_back(stage.batchCount);
+    out.gate = facts.plan.gate;
+    out.gated = facts.plan.spaces;
     out.root = facts.eye.root;
     out.body = facts.eye.scene.body ? facts.eye.scene.body->space : world::kNone;
     out.isHeld = facts.eye.isHeld;
@@ -107,6 +127,7 @@ std::string Probe::see(const ProbeFacts& facts) {
         return {};
     std::swap(now_, last_);
     Names names = name(facts);
+    const bool isGateNew = isFirst_ || last_.gate != now_.gate || last_.gated != now_.gated;
     std::string lines;
     const auto report = [&](const char* event, const Json& details) {
         Json line{{"frame", facts.frame}, {"seconds", facts.seconds}, {"event", event}};
@@ -141,6 +162,13 @@ std::string Probe::see(const ProbeFacts& facts) {
         report("outside", {{"seen", seesOutside(names.cells)}});
     if (differs(&Names::stages))
         report("stages", {{"stages", names.stages}});
+    // After the swap `last_` has this frame's decisions. Space numbers of two parts of the world differ, and then the
+    // list is reported again.
+    if (isGateNew && (last_.gate != frame::Gate::Ownership || now_.gate != frame::Gate::Ownership))
+        report("vis", {{"gate", frame::nameOf(last_.gate)},
+                       {"root", names.root},
+                       {"spaces", gatedSpaces(facts)},
+                       {"outside_regions", outsideRegions(facts.plan)}});
     if (names.visitsCut != reported_.visitsCut)
         report("budget", {{"visits_cut", names.visitsCut}});
     reported_ = std::move(names);

@@ -21,8 +21,8 @@ struct ProbeFacts {
 };
 
 /// Reports changes of the decisions from frame to frame: root, the camera's spaces on its way from the body,
-/// visits, cells seen, whether the outside is seen, stages, the loaded blocks, visits cut by the budget. A
-/// frame without a change costs one comparison and no allocation.
+/// visits, cells seen, whether the outside is seen, stages, the gate with its spaces in order, the loaded blocks,
+/// visits cut by the budget. A frame without a change costs one comparison and no allocation.
 class Probe {
 public:
     /// One JSON object a line, each with a newline; empty if nothing changed. The first frame reports all
@@ -36,6 +36,8 @@ private:
         std::vector<std::uint32_t> tree;   ///< of each visit: portal, parent, and its flags
         std::vector<std::uint32_t> seen;   ///< spaces
         std::vector<std::uint32_t> stages; ///< number of batches, by stage
+        std::vector<frame::GatedSpace> gated;
+        frame::Gate gate = frame::Gate::Ownership;
         world::SpaceIndex root = world::kOutside;
         world::SpaceIndex body = world::kNone;
         bool isHeld = false;

@@ -155,7 +155,7 @@ std::vector<SharedStruct> sharedStructs() {
          {MEMBER(SkyInstance, row0), MEMBER(SkyInstance, row1), MEMBER(SkyInstance, row2),
           MEMBER(SkyInstance, firstMaterial), MEMBER(SkyInstance, opacity), MEMBER(SkyInstance, luminosity),
           MEMBER(SkyInstance, uvOffsetX), MEMBER(SkyInstance, uvOffsetY), MEMBER(SkyInstance, diffuse),
-          MEMBER(SkyInstance, overLand), MEMBER(SkyInstance, reserved2)}},
+          MEMBER(SkyInstance, overLand), MEMBER(SkyInstance, clipSet)}},
     };
 }
 

@@ -12,7 +12,8 @@ WorkGroups WorkGroups::atLeast(std::uint32_t count) {
 
 StateTracker::Changes StateTracker::apply(const DrawState& next) {
     const Changes changes{next.program != current_.program, next.cullBackFaces != current_.cullBackFaces,
-                          next.writeDepth != current_.writeDepth};
+                          next.writeDepth != current_.writeDepth, next.depthTest != current_.depthTest,
+                          next.clips != current_.clips};
     current_ = next;
     return changes;
 }
@@ -25,8 +26,14 @@ bool StateTracker::setViewport(const Viewport& viewport) {
     return std::exchange(viewport_, viewport) != viewport;
 }
 
-bool StateTracker::disableCulling() {
-    return std::exchange(current_.cullBackFaces, false);
+StateTracker::Changes StateTracker::reset() {
+    return apply({.program = current_.program});
+}
+
+DrawState StateTracker::with(ProgramHandle program) const {
+    DrawState state{.program = program};
+    state.clips = current_.clips; // a compute program has no clip distances: eight calls are saved
+    return state;
 }
 
 } // namespace limen::gpu

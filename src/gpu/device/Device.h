@@ -58,17 +58,25 @@ enum class Pass : std::uint8_t {
     SolidNoIds, ///< colour, depth
     SolidIds,   ///< id, depth
     Blended,    ///< colour, blended (one, one minus source alpha), and depth
-    Layers      ///< layers, blended in the same way, and depth
+    Layers,     ///< layers, blended in the same way, and depth
+    Depth       ///< depth alone
 };
-inline constexpr std::size_t kPassCount = 6;
+inline constexpr std::size_t kPassCount = 7;
 
-/// The variable part of the pipeline state. Constant: depth test >= (reversed depth; at equal depth the later
-/// draw wins), lower-left origin, depth 0..1, counter-clockwise fronts, blending for the output of the
+/// The depth test: >= (reversed depth; at equal depth the later draw wins), or none.
+enum class DepthTest : std::uint8_t { Nearer, Always };
+
+/// Clip distances that a draw may use.
+inline constexpr std::uint32_t kClipDistances = 8;
+
+/// The variable part of the pipeline state. Constant: lower-left origin, depth 0..1, counter-clockwise fronts, blending for the output of the
 /// Blended and Layers passes.
 struct DrawState {
     ProgramHandle program = ProgramHandle::Invalid;
     bool cullBackFaces = false;
     bool writeDepth = true;
+    DepthTest depthTest = DepthTest::Nearer;
+    bool clips = false; ///< the program writes all clip distances
 };
 
 /// A range of a buffer, or (buffer Invalid) of this frame's ring memory. Not empty.
@@ -232,16 +240,20 @@ class StateTracker {
 public:
     /// State changes from the last state to `next`.
     struct Changes {
-        bool program = false, cull = false, depthWrite = false;
+        bool program = false, cull = false, depthWrite = false, depthTest = false, clips = false;
+        /// GL calls for them.
         [[nodiscard]] std::uint32_t count() const {
-            return std::uint32_t{program} + std::uint32_t{cull} + std::uint32_t{depthWrite};
+            return std::uint32_t{program} + std::uint32_t{cull} + std::uint32_t{depthWrite} +
+                   std::uint32_t{depthTest} + (clips ? kClipDistances : 0);
         }
     };
     [[nodiscard]] Changes apply(const DrawState& next);
     /// True if depth writes must be enabled; records them as enabled.
     [[nodiscard]] bool enableDepthWrite();
-    /// True if culling must be disabled; records it as disabled.
-    [[nodiscard]] bool disableCulling();
+    /// The changes to the state in which every frame begins and ends, with the current program; records them.
+    [[nodiscard]] Changes reset();
+    /// The current state with another program, for a compute program.
+    [[nodiscard]] DrawState with(ProgramHandle program) const;
     /// The current program is unknown: foreign code set another, or it was destroyed.
     void forgetProgram() { current_.program = ProgramHandle::Invalid; }
     /// True if the viewport must be set; records it as set.

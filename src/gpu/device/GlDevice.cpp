@@ -39,6 +39,8 @@ void GlDevice::restoreState() {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GEQUAL);
+    for (GLenum i = 0; i < kClipDistances; ++i)
+        glDisable(GL_CLIP_DISTANCE0 + i);
     glDepthMask(GL_TRUE);
     glDisable(GL_CULL_FACE);
     glCullFace(GL_BACK);
@@ -186,7 +188,7 @@ void GlDevice::bindRecords(std::size_t offset) {
 }
 
 void GlDevice::compute(ProgramHandle program, const WorkGroups& groups) {
-    setState({.program = program});
+    setState(state_.with(program));
     call(glDispatchCompute, GLuint{groups.columns}, GLuint{groups.rows}, 1u);
     call(glMemoryBarrier,
          GLbitfield{GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT});
@@ -228,13 +230,20 @@ void GlDevice::beginPass(Pass pass) {
 }
 
 void GlDevice::setState(const DrawState& state) {
-    const StateTracker::Changes changes = state_.apply(state);
+    make(state_.apply(state), state);
+}
+
+void GlDevice::make(const StateTracker::Changes& changes, const DrawState& state) {
     if (changes.program)
         call(glUseProgram, programs_[static_cast<std::size_t>(state.program)].id());
     if (changes.cull)
         call(state.cullBackFaces ? glEnable : glDisable, GLenum{GL_CULL_FACE});
     if (changes.depthWrite)
         call(glDepthMask, state.writeDepth ? GLboolean{GL_TRUE} : GLboolean{GL_FALSE});
+    if (changes.depthTest)
+        call(glDepthFunc, state.depthTest == DepthTest::Always ? GLenum{GL_ALWAYS} : GLenum{GL_GEQUAL});
+    for (GLenum i = 0; changes.clips && i < kClipDistances; ++i)
+        call(state.clips ? glEnable : glDisable, GLenum{GL_CLIP_DISTANCE0 + i});
 }
 
 void GlDevice::drawVertices(std::uint32_t first, std::uint32_t count) {
@@ -257,10 +266,7 @@ void GlDevice::resolve() {
 Result<void> GlDevice::endFrame() {
     LIMEN_ASSERT(frameTarget_ != nullptr, "a frame was begun");
     // Restores the state that every frame starts with, so that all frames make the same calls.
-    if (state_.enableDepthWrite())
-        call(glDepthMask, GLboolean{GL_TRUE});
-    if (state_.disableCulling())
-        call(glDisable, GLenum{GL_CULL_FACE});
+    make(state_.reset(), {});
     if (std::exchange(bindsRecorded_, false))
         call(glBindVertexArray, vertexArray_.id());
     fences_[ringSlot_] = call(glFenceSync, GLenum{GL_SYNC_GPU_COMMANDS_COMPLETE}, GLbitfield{0});

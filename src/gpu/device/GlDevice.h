@@ -104,6 +104,8 @@ private:
         ++frameCalls_;
         return function(arguments...);
     }
+    /// Makes the calls for changes to `state`.
+    void make(const StateTracker::Changes& changes, const DrawState& state);
     void waitForFence(std::size_t slot, bool counted);
     [[nodiscard]] Result<ProgramHandle> createComputeProgram(const ProgramSource& source);
     void makeImages(Target& target, const TargetOptions& options);

@@ -58,6 +58,7 @@ constexpr std::array<GLenum, Count> writes(std::initializer_list<std::pair<std::
     return attachments;
 }
 constexpr GLenum kFirstImage = GL_COLOR_ATTACHMENT0, kIdImage = GL_COLOR_ATTACHMENT1;
+constexpr std::array<GLenum, 1> kWritesNothing{GL_NONE};
 constexpr auto kWritesVisit = writes<layout::kOutputVisit + 1>({{layout::kOutputVisit, kFirstImage}});
 constexpr auto kWritesColour = writes<layout::kOutputColour + 1>({{layout::kOutputColour, kFirstImage}});
 constexpr auto kWritesColourAndId =
@@ -273,6 +274,7 @@ Result<void> GlDevice::makePasses(Target& target) {
             return unless(target.layers.empty(),
                           [&] { return make(Pass::Layers, "layers", layers, kWritesBlended); });
         })
+        .and_then([&] { return make(Pass::Depth, "depth", {&all[2], 1}, kWritesNothing); })
         .and_then([&] {
             const Attachment resolved{kFirstImage, target.resolved.id()};
             return unless(!target.isMultisampled(), [&] {

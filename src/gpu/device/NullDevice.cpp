@@ -182,7 +182,7 @@ void NullDevice::readDrawn() {
 
 void NullDevice::compute(ProgramHandle program, const WorkGroups& groups) {
     LIMEN_ASSERT(std::max(groups.columns, groups.rows) <= kMostGroups, "within the limit of every driver");
-    const std::uint32_t changes = state_.apply({.program = program}).count();
+    const std::uint32_t changes = state_.apply(state_.with(program)).count();
     record(CommandKind::Compute, static_cast<std::size_t>(program), std::size_t{groups.columns} * groups.rows,
            changes + 2); // plus the memory barrier
 }
@@ -222,7 +222,7 @@ void NullDevice::resolve() {
 
 Result<void> NullDevice::endFrame() {
     // plus the fence
-    frameCalls_ += std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.disableCulling()} + 1;
+    frameCalls_ += state_.reset().count() + 1;
     frameCalls_ += std::exchange(bindsRecords_, false) ? 1 : 0;
     lastFrameCalls_ = frameCalls_;
     return {};

@@ -18,6 +18,8 @@ bool hasGatedVariant(Drawing drawing, frame::Program program) {
     case frame::Program::SkyObjects:
         return drawing == Drawing::Fast; // the exact ones always test
     case frame::Program::Ownership:
+    case frame::Program::Stamp:
+    case frame::Program::Fence:
         return false;
     }
     return false;
@@ -38,6 +40,9 @@ bool hasPixelLampVariant(Drawing drawing, frame::Program program, ProgramVariant
                         program == frame::Program::Blended;
     return isMesh && !variant.flat && (drawing == Drawing::Exact || variant.lamps);
 }
+
+/// The programs of lit frames, which are built before they are used. Others are built when a frame needs them.
+constexpr std::size_t kBuiltPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
 
 struct Shaders {
     const char* name;
@@ -64,12 +69,20 @@ Shaders shadersOf(Drawing drawing, frame::Program program) {
                 fast ? "fastsky.frag" : "skyobjects.frag"};
     case frame::Program::Blended:
         return {"blended", mesh, fast ? "fastblended.frag" : "blended.frag"};
+    case frame::Program::Stamp:
+        return {"stamp", "ownership.vert", "opening.frag"};
+    case frame::Program::Fence:
+        return {"fence", "ownership.vert", "opening.frag"};
     }
     return {"", "", ""};
 }
 
+bool hasClippedVariant(frame::Program program) {
+    return !drawsOpenings(program);
+}
+
 bool hasFlatVariant(frame::Program program) {
-    return program != frame::Program::Ownership && program != frame::Program::SkyObjects;
+    return !drawsOpenings(program) && program != frame::Program::SkyObjects;
 }
 
 } // namespace
@@ -97,6 +110,10 @@ ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVari
         vary("details", "DETAILS");
     if (hasPixelLampVariant(drawing, program, variant) && variant.pixelLamps)
         vary("pixel lamps", "PIXEL_LAMPS");
+    if (hasClippedVariant(program) && variant.clipped)
+        vary("clipped", "CLIPPED");
+    if (program == frame::Program::Stamp)
+        source.defines.emplace_back("AT_FAR");
     if (variant.multisampled)
         vary("multisampled", "MULTISAMPLED");
     if (fast && (variant.ids || variant.flat) && hasFlatVariant(program))
@@ -134,7 +151,7 @@ Result<Programs> Programs::create(Device& device, Drawing drawing, const SceneBi
 }
 
 Result<bool> Programs::buildNext(std::size_t& bytes) {
-    for (; built_ < 2 * kPrograms; ++built_) {
+    for (; built_ < 2 * kBuiltPrograms; ++built_) {
         const auto program = static_cast<frame::Program>(built_ / 2);
         const bool grained =
             program == frame::Program::Terrain ? textures_.grainedLand : textures_.grainedMeshes;
@@ -162,7 +179,8 @@ std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) co
     const std::size_t ids = drawing_ == Drawing::Fast && variant.ids ? 8 : 0;
     const std::size_t details = hasDetailVariant(program, variant) && variant.details ? 32 : 0;
     const std::size_t pixel = hasPixelLampVariant(drawing_, program, variant) && variant.pixelLamps ? 64 : 0;
-    return gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps + details + pixel;
+    const std::size_t clipped = hasClippedVariant(program) && variant.clipped ? 128 : 0;
+    return gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps + details + pixel + clipped;
 }
 
 Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {

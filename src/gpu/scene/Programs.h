@@ -16,6 +16,7 @@ struct ProgramVariant {
     bool details = false;      ///< with detail pictures; only for opaque meshes and ground
     bool pixelLamps = false;   ///< lamps light walls in fragments; of Drawing::Fast only with `lamps`
     bool ids = true;           ///< with ids; without effect on Drawing::Exact, whose programs all have them
+    bool clipped = false;      ///< with clip distances and without the ownership test
 };
 
 /// Sources and macros of a batch's program.
@@ -53,8 +54,8 @@ public:
     [[nodiscard]] ProgramHandle get(frame::Program program, ProgramVariant variant) const;
 
 private:
-    static constexpr std::size_t kPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
-    static constexpr std::size_t kVariants = 128;
+    static constexpr std::size_t kPrograms = frame::kProgramCount;
+    static constexpr std::size_t kVariants = 256;
     [[nodiscard]] bool has(frame::Program program, ProgramVariant variant) const;
     [[nodiscard]] std::size_t indexOf(frame::Program program, ProgramVariant variant) const;
 

@@ -1,0 +1,98 @@
+#include "frame/OpeningTriangles.h"
+
+#include "geometry/ConvexPolygon.h"
+#include "geometry/TwoFloats.h"
+
+#include <algorithm>
+
+namespace limen::frame {
+
+namespace {
+
+/// Metres. An opening nearer to the eye is drawn as a triangle around the whole window. The projected corners
+/// of so near a polygon, as floats, are so far off the screen that the rasteriser does not clip it exactly.
+constexpr double kNearOpening = 0.05;
+
+/// Edges of a clip set, whose last plane is the entry plane: GL guarantees eight clip distances.
+constexpr std::size_t kEdgesPerSet = 7;
+
+} // namespace
+
+bool OpeningTriangles::isNear(const world::Portal& portal) const {
+    if (!frame_.rules.nearOpening)
+        return false;
+    const Vec3& eye = frame_.view.eye;
+    const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
+    return std::abs(portal.plane.signedDistance(eye)) < kNearOpening &&
+           containsProjection(polygon, portal.plane.n, eye, kNearOpening);
+}
+
+gpu::ClipSet OpeningTriangles::openClipSet() {
+    gpu::ClipSet open;
+    for (gpu::vec4& plane : open.planes)
+        plane = {0, 0, 0, 1};
+    return open;
+}
+
+gpu::vec4 OpeningTriangles::edgePlane(const Vec3& a, const Vec3& b, double growth) const {
+    Vec3 edge = glm::cross(a, b);
+    edge.z += growth * (std::abs(edge.x) * 2.0 / frame_.width + std::abs(edge.y) * 2.0 / frame_.height);
+    const Vec3 n = glm::transpose(screen_) * edge;
+    const double length = std::sqrt(glm::dot(n, n));
+    return length > 0.0 ? gpu::vec4(Vec3f(n / length), 0.0f) : gpu::vec4(0, 0, 0, 1);
+}
+
+void OpeningTriangles::drawWithin(std::uint32_t visit, std::span<const Vec3> region, const Clip& by) {
+    for (std::size_t first = 1; first + 1 < region.size(); first += kEdgesPerSet - 2) {
+        const std::size_t last = std::min(first + kEdgesPerSet - 2, region.size() - 1);
+        gpu::ClipSet clip = openClipSet();
+        std::size_t slot = 0;
+        clip.planes[slot++] = edgePlane(region[0], region[first], first == 1 ? by.growth : kGrowth);
+        for (std::size_t i = first; i < last; ++i)
+            clip.planes[slot++] = edgePlane(region[i], region[i + 1], by.growth);
+        clip.planes[slot++] =
+            edgePlane(region[last], region[0], last + 1 == region.size() ? by.growth : kGrowth);
+        clip.planes[kEdgesPerSet] = by.plane;
+        plan_.clipSets.push_back(clip);
+        draw(visit, static_cast<std::uint32_t>(plan_.clipSets.size() - 1));
+    }
+}
+
+void OpeningTriangles::draw(std::uint32_t visit, std::uint32_t clipSet) {
+    if (isEdgeOn(set_.visits[visit]))
+        drawEverywhere(visit, clipSet);
+    else
+        drawPortal(visit, clipSet);
+}
+
+void OpeningTriangles::drawEverywhere(std::uint32_t visit, std::uint32_t clipSet) {
+    const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
+    plan_.ownershipVertices.insert(
+        plan_.ownershipVertices.end(), 3,
+        {Vec3f(0.0f), 0, visit, clipSet, first, gpu::kCoverWindow, Vec3f(0.0f), 0});
+}
+
+/// The portal polygon as a fan around its middle. Every edge of its outline is kept, divided at the same
+/// vertices as the edges of the walls.
+void OpeningTriangles::drawPortal(std::uint32_t visit, std::uint32_t clipSet) {
+    const world::Portal& portal = world_.portals[set_.visits[visit].portal];
+    const Vec3 origin = world_.blocks[portal.block].origin();
+    const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
+    Vec3 middle(0.0);
+    for (const Vec3& v : polygon)
+        middle += (v - origin) / static_cast<double>(polygon.size());
+    const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
+    const std::uint32_t count = portal.vertexCount | (isNear(portal) ? gpu::kCoverWindow : 0u);
+    const auto corner = [&](const Vec3& local) {
+        const TwoFloats parts = inTwoFloats(local); // the same split as in the walls' vertices
+        plan_.ownershipVertices.push_back(
+            {parts.nearest, portal.block, visit, clipSet, first, count, parts.rest, 0});
+    };
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        corner(middle);
+        corner(polygon[i] - origin);
+        corner(polygon[(i + 1) % polygon.size()] - origin);
+    }
+}
+
+} // namespace limen::frame

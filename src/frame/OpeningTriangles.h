@@ -1,0 +1,61 @@
+#pragma once
+
+#include "frame/FramePlan.h"
+#include "frame/FrameView.h"
+#include "visibility/VisibleSet.h"
+#include "world/World.h"
+
+#include <span>
+
+namespace limen::frame {
+
+/// Appends the triangles of openings to a plan: `ownershipVertices`, and a clip set for each region that clips
+/// them. An opening has the same vertices as the walls around it. All arguments must outlive it.
+class OpeningTriangles {
+public:
+    OpeningTriangles(const world::World& world, const FrameView& frame, const visibility::VisibleSet& set,
+                     FramePlan& plan)
+        : world_(world), frame_(frame), set_(set), plan_(plan), screen_(frame.view.screenFromEye()) {}
+
+    /// Pixels by which a parent's edges are moved outwards. The edges are exact, but the parent was drawn with snapped
+    /// corners: the child must not lose a pixel that the parent owns. With a larger growth the child takes pixels beside
+    /// a thin jamb that its parent does not own, and surfaces behind the parent's plane show there.
+    static constexpr double kGrowth = kSnapTolerance;
+
+    /// How an opening is clipped to a region.
+    struct Clip {
+        double growth = 0.0;         ///< pixels by which the region's edges are moved outwards
+        gpu::vec4 plane{0, 0, 0, 1}; ///< and one more plane
+    };
+
+    /// Whether the eye is in the opening's plane or so near it that floats may put it on the wrong side. Then
+    /// the flood's region, computed in double, decides alone. Its edges are not exactly the walls', but that
+    /// is not visible: such a region is half of all directions, or too thin to hold more than a few pixels.
+    [[nodiscard]] static bool isEdgeOn(const visibility::Visit& visit) {
+        return visit.inPlane || std::abs(visit.entryPlane.d) < kEyeInPlaneTolerance;
+    }
+    /// A clip set that keeps everything.
+    [[nodiscard]] static gpu::ClipSet openClipSet();
+    /// Draws the opening of a visit, clipped by a clip set of the plan. An opening whose plane contains the eye is
+    /// drawn around the window: its clip set must be its region.
+    void draw(std::uint32_t visit, std::uint32_t clipSet);
+    /// Draws the opening of a visit within a region. A region with more edges than a clip set has is divided into
+    /// fans around its first vertex, one draw each. The inner edges of the fans are always moved outwards, so that
+    /// the fans overlap and leave no gap.
+    void drawWithin(std::uint32_t visit, std::span<const Vec3> region, const Clip& by);
+
+private:
+    [[nodiscard]] bool isNear(const world::Portal& portal) const;
+    /// The plane through the eye and one edge of a region, moved outwards by `growth` pixels, eye-relative.
+    [[nodiscard]] gpu::vec4 edgePlane(const Vec3& a, const Vec3& b, double growth) const;
+    void drawEverywhere(std::uint32_t visit, std::uint32_t clipSet);
+    void drawPortal(std::uint32_t visit, std::uint32_t clipSet);
+
+    const world::World& world_;
+    const FrameView& frame_;
+    const visibility::VisibleSet& set_;
+    FramePlan& plan_;
+    Mat3 screen_;
+};
+
+} // namespace limen::frame

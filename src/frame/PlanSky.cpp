@@ -1,0 +1,43 @@
+#include "frame/PlanSky.h"
+
+#include "frame/PlanBatches.h"
+
+namespace limen::frame {
+
+void placeSky(const world::World& world, const FrameView& frame,
+              std::vector<world::SkyPlacement>& placements) {
+    world::skyPlacements(world.sky,
+                         {frame.dayGroup, world::timeOfSky(world.sky, frame.timeOfDay), frame.seconds,
+                          frame.view.eye.z, frame.view.root == world::kOutside},
+                         placements);
+}
+
+void addSkyObjects(const world::World& world, std::span<const world::SkyPlacement> placements,
+                   const SkyShare& share, FramePlan& plan) {
+    const std::size_t firstPiece = plan.pieces.size();
+    for (const world::SkyPlacement& p : placements) {
+        if (p.isOverLand != share.overLand)
+            continue;
+        const world::SkyPart& part = world.sky.parts[p.part];
+        const auto instance = static_cast<std::uint32_t>(plan.skyInstances.size());
+        gpu::SkyInstance out;
+        out.row0 = {p.rotation[0][0], p.rotation[1][0], p.rotation[2][0], p.offset.x};
+        out.row1 = {p.rotation[0][1], p.rotation[1][1], p.rotation[2][1], p.offset.y};
+        out.row2 = {p.rotation[0][2], p.rotation[1][2], p.rotation[2][2], p.offset.z};
+        out.firstMaterial = part.firstMaterial;
+        out.opacity = 1.0f - p.transparent;
+        out.luminosity = p.luminosity;
+        out.diffuse = p.diffuse;
+        out.overLand = share.overLand ? 1u : 0u;
+        out.uvOffsetX = p.uvOffset.x;
+        out.uvOffsetY = p.uvOffset.y;
+        out.clipSet = share.clipSet;
+        plan.skyInstances.push_back(out);
+        for (const world::Mesh::Range& range : world.meshes[part.mesh].ranges)
+            addRun(addOwnPieces(range, instance, plan), plan);
+    }
+    for (std::size_t i = firstPiece; i < plan.pieces.size(); ++i)
+        plan.pieces[i].triangles |= gpu::kNeverCulled;
+}
+
+} // namespace limen::frame
