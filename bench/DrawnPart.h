@@ -43,6 +43,8 @@ public:
         return bench::viewFrom(part(), place, target_.width(), target_.height(), turn);
     }
 
+    /// Sets the gate of later floods and plans.
+    void setGate(frame::Gate gate) { pipeline_.setGate(gate); }
     /// Updates the dynamic state. `doors`: openness of all of them; none: each keeps its resting openness.
     void move(const frame::FrameView& view, std::optional<double> doors = {});
     /// Requires a view of this part.

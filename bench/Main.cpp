@@ -7,6 +7,7 @@
 #include "DispatchBench.h"
 #include "FloodBench.h"
 #include "FrameBench.h"
+#include "GatesBench.h"
 #include "SoakBench.h"
 #include "StreamBench.h"
 
@@ -44,6 +45,7 @@ constexpr std::array kBenches{
         "graph",
         &benchFrame, nullptr, &benchFrameWith},
     Bench{"card", "GPU time of whole frames on a graphics card, by stage", &benchCard},
+    Bench{"gates", "time, GL calls, draws and fragments of the three gates along the tour", &benchGates},
     Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
     Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},

@@ -136,7 +136,7 @@ struct FramePlan {
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
     std::vector<Stage> stages;      ///< in order
-    Gate gate = Gate::Ownership;    ///< that made this plan; Ownership for a single visit
+    Gate gate = Gate::Ownership;    ///< that this plan was made for
     bool clips = false;             ///< clipSets are clip distances; the programs have no ownership test
     std::vector<GatedSpace> spaces; ///< of other gates: in drawing order, far to near, each once
     /// The first batch that occlusion culling applies to. The batches before it are walls and ground, its

@@ -73,6 +73,9 @@ void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
         gates_->plan(frame, dynamics, set, plan);
         return;
     }
+    plan.gate = frame.gate;
+    if (frame.gate != Gate::Ownership)
+        plan.spaces.push_back({set.visits[0].space, 1, 0, 0});
     beginStage(plan, StageKind::Ownership);
     planOwnership(world_, dynamics, frame, set, plan);
     const bool several = set.visits.size() > 1;

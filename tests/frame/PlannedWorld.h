@@ -33,12 +33,15 @@ struct Rooms {
 /// A loaded world, its scene and a planner.
 struct PlannedWorld {
     explicit PlannedWorld(TestWorld& source, bool mergeZones = false)
-        : world(loadTestWorld(source, {1, mergeZones})), graph(*frame::visibilityGraph(world)), scene(world),
+        : world(loadTestWorld(source, {1, mergeZones})), graph(*frame::visibilityGraph(world)),
+          spaceGraph(*frame::visibilityGraph(world, frame::GraphZones::EachSpace)), scene(world),
           planner(scene), pieces(scene.pieces().pieces), origin(toGlobal(source, Vec3(0.0))) {}
 
     const frame::FramePlan& planFrom(const Vec3& local, double yaw, world::SpaceIndex root) {
         view = frame::makeView(origin + local, yaw, 0.0, 75.0, 320, 200, root);
-        EXPECT_TRUE(visibility::flood(graph, {}, view.view, {}, scratch, visible));
+        view.gate = gate;
+        const visibility::Graph& flooded = gate == frame::Gate::Ownership ? graph : spaceGraph;
+        EXPECT_TRUE(visibility::flood(flooded, {}, view.view, {}, scratch, visible));
         planner.plan(view, visible, plan);
         return plan;
     }
@@ -60,13 +63,14 @@ struct PlannedWorld {
     }
 
     world::World world;
-    visibility::Graph graph;
+    visibility::Graph graph, spaceGraph;
     const frame::StaticScene scene;
     frame::Planner planner;
     std::vector<frame::gpu::DrawPiece> pieces; ///< resident
     Vec3 origin;
     visibility::FloodScratch scratch;
     visibility::VisibleSet visible;
+    frame::Gate gate = frame::Gate::Ownership; ///< of the next plans
     frame::FrameView view;
     frame::FramePlan plan;
 };

@@ -125,6 +125,7 @@ frame::FrameView PictureWorld::look(const Vec3& local, double yaw, double pitch,
 
 void PictureWorld::floodAndPlan(const frame::FrameView& frame, engine::Pipeline& pipeline) {
     pipeline.state().dynamics = drawnDynamics_;
+    pipeline.setGate(frame.gate);
     require(pipeline.flood(frame.view, {.rules = floodRules}));
     pipeline.plan(frame);
 }
@@ -180,7 +181,8 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
         picture.samples = target->samplePositions();
     } else {
         picture.ids = target->readIds();
-        picture.depth = target->readDepth();
+        if (frame.gate != frame::Gate::Depth) // its depth image has the depths of openings in places
+            picture.depth = target->readDepth();
     }
     picture.colour = target->readColour();
     if (options.wantLayers)
