@@ -21,6 +21,11 @@ inline constexpr std::array<Gate, 3> kGates{Gate::Ownership, Gate::Planes, Gate:
     return kNames[static_cast<std::size_t>(gate)];
 }
 
+/// The gate after this one; the first after the last.
+[[nodiscard]] constexpr Gate nextGate(Gate gate) {
+    return kGates[(static_cast<std::size_t>(gate) + 1) % kGates.size()];
+}
+
 /// None for an unknown name.
 [[nodiscard]] constexpr std::optional<Gate> gateNamed(std::string_view name) {
     for (const Gate gate : kGates)

@@ -39,6 +39,7 @@ constexpr std::array<ActionFacts, kActions> kFacts{{
     {"freeze", When::Always, "freeze visibility", {"F7", ""}},
     {"portals", When::Always, "show portals and the fate of rays at each", {"F8", ""}},
     {"depth", When::Always, "show depth as grey levels", {"F9", ""}},
+    {"gate", When::Always, "draw with the next gate: ownership, planes, depth", {"F10", ""}},
     {"full_screen", When::Always, "toggle full screen", {"F11", ""}},
     {"screenshot", When::Always, "save a screenshot", {"F12", ""}},
     {"capture", When::Always, "capture or release the mouse", {"Tab", ""}},

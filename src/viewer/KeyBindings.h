@@ -38,6 +38,7 @@ enum class Action : std::uint8_t {
     Freeze,
     Portals,
     Depth,
+    Gate,
     FullScreen,
     Screenshot,
     Capture,

@@ -130,6 +130,9 @@ bool WorldView::press(Action action) {
     case Action::Depth:
         switches_.depth = !switches_.depth;
         return true;
+    case Action::Gate:
+        session_->setGate(nextGate(session_->options().gate));
+        return true;
     case Action::Regions:
         switches_.regions = !switches_.regions;
         return true;
@@ -271,6 +274,8 @@ void WorldView::take(const PanelChoice& choice) {
         act({play::PlayActKind::AllDoors, choice.doors.value_or(-1.0)});
     if (choice.quality && choice.quality != session_->options().quality)
         act({play::PlayActKind::Quality, static_cast<double>(*choice.quality)});
+    if (choice.gate != session_->options().gate)
+        session_->setGate(choice.gate);
     if (choice.place >= 0)
         act({play::PlayActKind::Place, static_cast<double>(choice.place)});
 }
@@ -320,6 +325,7 @@ std::optional<ScaleWish> WorldView::drawOverlay(Ui& ui, Overlay& overlay, const 
     choice.weather = facts.request.scene.weather;
     choice.doors = facts.request.scene.doors;
     choice.quality = facts.quality;
+    choice.gate = session_->options().gate;
     choice.scale = scale.wish;
     const PanelChoice made = panel::drawPanel(ui, facts, choice);
     take(made);

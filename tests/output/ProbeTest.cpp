@@ -74,6 +74,28 @@ TEST(Probe, theFirstFrameTellsAllThatIsDecided) {
     }
 }
 
+TEST(Probe, aChangeOfTheGateOrOfItsSpacesIsOneLine) {
+    Probed f;
+    EXPECT_FALSE(f.see().contains("vis")) << "ownership alone has no such line";
+    f.plan.gate = frame::Gate::Planes;
+    f.plan.spaces = {{0, 2, 8, 1}, {1, 1, 0, 0}};
+    const auto events = f.see();
+    EXPECT_THAT(Probed::namesOf(events), ElementsAre("vis"));
+    const json& vis = events.at("vis");
+    EXPECT_EQ(vis["gate"], "planes");
+    EXPECT_EQ(vis["root"], kCell);
+    EXPECT_EQ(vis["outside_regions"], 2);
+    EXPECT_EQ(vis["spaces"][0], (json{{"space", "outside"}, {"regions", 2}, {"planes", 8}, {"fallbacks", 1}}));
+    EXPECT_EQ(vis["spaces"][1]["space"], kCell);
+    EXPECT_THAT(f.see(), IsEmpty());
+    f.plan.spaces[0].planes = 7;
+    EXPECT_THAT(Probed::namesOf(f.see()), ElementsAre("vis"));
+    f.plan.gate = frame::Gate::Ownership;
+    f.plan.spaces.clear();
+    EXPECT_EQ(f.see().at("vis")["gate"], "ownership");
+    EXPECT_THAT(f.see(), IsEmpty());
+}
+
 TEST(Probe, aFrameLikeTheOneBeforeTellsNothing) {
     Probed f;
     f.see();

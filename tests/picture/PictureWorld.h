@@ -27,7 +27,7 @@ struct Picture {
     std::vector<glm::vec2> samples;    ///< of a multisampled one: from the pixel's centre, y downwards
     visibility::VisibleSet visible;
     frame::PlanCounts counts;
-    std::uint32_t glCalls = 0;
+    std::uint32_t glCalls = 0, draws = 0;
     std::vector<std::uint32_t> stages; ///< numbers of batches, by stage
 
     [[nodiscard]] std::uint32_t id(std::uint32_t x, std::uint32_t y) const {

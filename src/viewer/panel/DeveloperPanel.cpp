@@ -78,6 +78,24 @@ void drawFigures(const PanelFacts& facts) {
     drawStages(facts);
 }
 
+/// The gate that draws the frame, and for other gates than Gate::Ownership the spaces in drawing order.
+void drawGate(Ui& ui, const PanelFacts& facts, PanelChoice& choice) {
+    if (!ImGui::CollapsingHeader("Gate", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    uiHint("The way to keep each space within its openings: docs/gates.md.");
+    for (const frame::Gate gate : frame::kGates) {
+        if (gate != frame::kGates.front())
+            ImGui::SameLine();
+        if (ImGui::RadioButton(std::string(nameOf(gate)).c_str(), choice.gate == gate))
+            choice.gate = gate;
+        ui.note(fmt::format("panel gate {}", nameOf(gate)));
+    }
+    for (const frame::GatedSpace& gated : facts.plan.spaces)
+        line(fmt::format("{}: {} regions, {} planes{}", engine::spaceName(facts.world, gated.space),
+                         gated.regions, gated.planes,
+                         gated.fallbacks > 0 ? fmt::format(", {} rectangles", gated.fallbacks) : ""));
+}
+
 /// Draws a visit and its descendants. Returns the first visit after them. `hovered` is set to the visit under
 /// the mouse.
 std::uint32_t drawVisit(const PanelFacts& facts, std::uint32_t visit, bool isShown, int& hovered) {
@@ -251,8 +269,9 @@ void drawDriver(Ui& ui, const PanelFacts& facts) {
 
 } // namespace
 
-void drawDeveloperPart(Ui& ui, const PanelFacts& facts) {
+void drawDeveloperPart(Ui& ui, const PanelFacts& facts, PanelChoice& choice) {
     drawFigures(facts);
+    drawGate(ui, facts, choice);
     drawVerdict(facts.verdict);
     drawPicked(facts.picked);
     drawVisits(facts);

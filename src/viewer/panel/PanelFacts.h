@@ -66,6 +66,7 @@ struct PanelChoice {
     engine::Weather weather = engine::Weather::Clear;
     std::optional<double> doors;        ///< as in FrameRequest
     std::optional<std::size_t> quality; ///< of kQualities
+    frame::Gate gate = frame::Gate::Ownership;
     ScaleWish scale;
 };
 

@@ -33,8 +33,8 @@ void drawNotice(const std::string& text);
 PanelChoice drawPanel(Ui& ui, const PanelFacts& facts, PanelChoice choice);
 /// The part for players: time, weather, doors, quality, places, frame rate.
 void drawPlayerPart(Ui& ui, const PanelFacts& facts, PanelChoice& choice);
-/// The part for developers: visits, stages, residency, picking, checks.
-void drawDeveloperPart(Ui& ui, const PanelFacts& facts);
+/// The part for developers: visits, stages, gate, residency, picking, checks.
+void drawDeveloperPart(Ui& ui, const PanelFacts& facts, PanelChoice& choice);
 /// Plots the frame times of the last seconds, with marks at 16.7 ms and 33.3 ms.
 void drawFrameTimes(const TimeWindow& frame);
 

@@ -167,7 +167,7 @@ PanelChoice drawPanel(Ui& ui, const PanelFacts& facts, PanelChoice choice) {
         const bool isDeveloper = ImGui::BeginTabItem("Developer");
         ui.note("tab Developer");
         if (isDeveloper) {
-            drawDeveloperPart(ui, facts);
+            drawDeveloperPart(ui, facts, choice);
             ImGui::EndTabItem();
         }
         ImGui::EndTabBar();
