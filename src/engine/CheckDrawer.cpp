@@ -85,8 +85,9 @@ Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& requ
     images.width = request.size.width;
     images.height = request.size.height;
     images.ids = target.readIds();
-    // With Gate::Depth the depth image has the depths of openings in places.
-    if (session.options().gate != frame::Gate::Depth)
+    // Gate::Depth overwrites depth, and draws walls over transparent surfaces: neither image is the picture's.
+    const bool isOfPicture = session.options().gate != frame::Gate::Depth;
+    if (isOfPicture)
         images.depth = target.readDepth();
     // A power of two, so that no bit of a depth is lost. Hashes of pictures do not depend on the near plane.
     const auto perStored = static_cast<float>(images.depthUnit / frame::FrameView{}.nearPlane);
@@ -96,7 +97,7 @@ Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& requ
         images.colour = target.readColour();
         return images;
     }
-    for (const gpu::LayerSum& layers : target.readLayers())
+    for (const gpu::LayerSum& layers : isOfPicture ? target.readLayers() : std::vector<gpu::LayerSum>())
         images.layers.push_back({layers.count, layers.hash});
     return images;
 }

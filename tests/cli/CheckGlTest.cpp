@@ -61,6 +61,21 @@ TEST(Check, theSameSeedChecksTheSameAndZonesDoNotMatter) {
 }
 
 // The tour that tour, walk and probe take: made from the records where world.json has none.
+// A dungeon of convex cells, on which every gate is exact (docs/gates.md).
+TEST(Check, findsNothingWrongWithAnyGateInADungeon) {
+    const ProgramRunner runner;
+    ASSERT_EQ(runner.run({"demo", "--kind", "dungeon", "--size", "8", "--seed", "3", "-o", "dungeon"}).exit, 0);
+    for (const char* gate : {"ownership", "planes", "depth"}) {
+        const ProgramRun run = runner.run(
+            {"check", "--dat", "dungeon", "--views", "12", "--size", "48x27", "--json", "--gate", gate});
+        EXPECT_EQ(run.exit, 0) << run.out << run.err;
+        EXPECT_EQ(nlohmann::json::parse(run.out)["disagreeing_pixels"], 0);
+    }
+    const ProgramRun wrong = runner.run({"check", "--gate", "plane"});
+    EXPECT_EQ(wrong.exit, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("Did you mean 'planes'?"));
+}
+
 TEST(Check, followsATourMadeFromTheRecords) {
     const ProgramRunner runner;
     ASSERT_EQ(runner.run({"demo", "town", "--kind", "town", "--size", "4", "--seed", "3"}).exit, 0);

@@ -118,6 +118,41 @@ TEST_F(CallCountGlTest, nullDeviceCountsTheSameCalls) {
     }
 }
 
+// Planes and openings of the other gates: clip distances, a depth test that always passes, depth cleared in between.
+TEST_F(CallCountGlTest, clipDistancesCostEightCallsEachWay_andBothDevicesCountThemAlike) {
+    SceneBuilder scene = everything(2);
+    scene.finish(true);
+    NullDevice null;
+    Renderer real(*device_), recorded(null);
+    ASSERT_TRUE(real.upload(scene.upload));
+    ASSERT_TRUE(recorded.upload(scene.upload));
+    Result<RenderTarget> realTarget = RenderTarget::create(*device_, 8, 8),
+                         nullTarget = RenderTarget::create(null, 8, 8);
+    ASSERT_TRUE(realTarget && nullTarget);
+    const auto calls = [&](const frame::FramePlan& plan) {
+        EXPECT_TRUE(real.render(plan, *realTarget));
+        EXPECT_TRUE(recorded.render(plan, *nullTarget));
+        EXPECT_EQ(real.report().glCalls, recorded.report().glCalls);
+        return real.report().glCalls;
+    };
+    const std::uint32_t plain = calls(scene.plan);
+    frame::FramePlan clipped = scene.plan;
+    clipped.clips = true;
+    EXPECT_EQ(calls(clipped), plain + 2 * kClipDistances);
+    frame::FramePlan ordered = clipped;
+    ordered.firstOccludee = static_cast<std::uint32_t>(ordered.batches.size()); // depth is overwritten
+    ordered.stages[1].clearsDepth = true;
+    for (const frame::Program program : {frame::Program::Stamp, frame::Program::Fence}) {
+        ordered.stages.push_back(
+            {frame::StageKind::Ownership, static_cast<std::uint32_t>(ordered.batches.size()), 1});
+        ordered.batches.push_back(
+            {program, false, 0, static_cast<std::uint32_t>(ordered.ownershipVertices.size()), 1});
+    }
+    static_cast<void>(calls(ordered));
+    EXPECT_FALSE(real.report().stages[0].gpuMs) << "stages repeat, so none is timed";
+    EXPECT_EQ(calls(scene.plan), plain) << "every frame begins in the same state";
+}
+
 TEST_F(CallCountGlTest, gpuTimesArriveWithoutWaiting) {
     SceneBuilder scene = everything(3);
     Renderer renderer(*device_);

@@ -8,16 +8,18 @@ class ShadersGlTest : public GlTest {
 protected:
     /// The variants that `Programs::create` does not build.
     static void buildVariants(Programs& programs) {
-        for (std::size_t program = 0; program <= static_cast<std::size_t>(frame::Program::Blended);
-             ++program) {
-            for (unsigned bits = 0; bits < 128; ++bits) {
+        for (std::size_t program = 0; program < frame::kProgramCount; ++program) {
+            for (unsigned bits = 0; bits < 256; ++bits) {
+                if ((bits & 129) == 129)
+                    continue; // clipped programs have no ownership test
                 const ProgramVariant variant{.gated = (bits & 1) != 0,
                                              .flat = (bits & 2) != 0,
                                              .multisampled = (bits & 4) != 0,
                                              .lamps = (bits & 8) != 0,
                                              .details = (bits & 32) != 0,
                                              .pixelLamps = (bits & 64) != 0,
-                                             .ids = (bits & 16) != 0};
+                                             .ids = (bits & 16) != 0,
+                                             .clipped = (bits & 128) != 0};
                 const Result<void> made = programs.prepare(static_cast<frame::Program>(program), variant);
                 EXPECT_TRUE(made) << made.error().message();
             }

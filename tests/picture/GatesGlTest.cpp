@@ -93,7 +93,8 @@ std::uint64_t judgeRandomViews(ExactWorld& exact, Gate gate, int views) {
         EXPECT_EQ(wrong, 0u) << "view " << i << ": eye " << eye.x << "," << eye.y << "," << eye.z << " yaw " << yaw
                              << " pitch " << pitch;
     }
-    EXPECT_GT(several, views / 4) << "views that need a gate";
+    if (gate != Gate::Ownership) // in one zone, depth alone decides
+        EXPECT_GT(several, views / 4) << "views that need a gate";
     return all;
 }
 

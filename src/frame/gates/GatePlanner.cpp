@@ -301,9 +301,9 @@ void GatePlanner::planPlanes(const Input& in) {
 
 void GatePlanner::planDepth(const Input& in) {
     FramePlan& plan = in.plan;
-    if (exteriorOf_.empty())
-        exteriorOf_ = exteriorsOfOpenings(world_);
-    views_ = depthViews(world_, exteriorOf_, in.set.visits, in.frame.view.eye);
+    if (!exteriors_)
+        exteriors_ = exteriorsOf(world_);
+    views_ = depthViews(world_, *exteriors_, in.set.visits, in.frame.view.eye);
     makeSlices(in, views_.landscape);
     std::vector<std::uint32_t> order = views_.landscape;
     for (const SeenBuilding& building : views_.buildings)
@@ -334,25 +334,14 @@ void GatePlanner::planLandscape(const Input& in) {
     endUsedStage(plan);
     for (std::size_t i = 0; i < outsideSlices_; ++i)
         addSliced(in, slices_[i], parts_[0], surfaces_);
-    const auto isSeenInto = [&](std::uint32_t position) {
-        const world::InstanceIndex instance = scene_.clusters().order[position];
-        return std::any_of(views_.buildings.begin(), views_.buildings.end(),
-                           [&](const SeenBuilding& building) { return building.exterior == instance; });
-    };
     for (const LandscapeStep& step : views_.steps) {
-        const bool isBlock = step.kind == LandscapeStep::Kind::Block;
-        if (!isBlock) {
+        if (step.kind == LandscapeStep::Kind::Building) {
             flushGround(plan);
             planBuilding(in, step.index);
         }
-        for (const Surface& surface : surfaces_) {
-            const bool isHere = isBlock ? instanceAt(surface.position).block == step.index &&
-                                              !isSeenInto(surface.position)
-                                        : scene_.clusters().order[surface.position] ==
-                                              views_.buildings[step.index].exterior;
-            if (isHere)
+        for (const Surface& surface : surfaces_)
+            if (isOf(surface, step))
                 ground_.push_back(surface);
-        }
     }
     flushGround(plan);
     beginStage(plan, StageKind::Solid);
@@ -371,6 +360,20 @@ void GatePlanner::planLandscape(const Input& in) {
     addBlended(in, surfaces_, 0);
     endBatch(plan);
     endUsedStage(plan);
+}
+
+bool GatePlanner::isOf(const Surface& surface, const LandscapeStep& step) const {
+    const world::InstanceIndex instance = scene_.clusters().order[surface.position];
+    switch (step.kind) {
+    case LandscapeStep::Kind::Block:
+        return world_.instances[instance].kind == world::InstanceKind::Terrain &&
+               world_.instances[instance].block == step.index;
+    case LandscapeStep::Kind::Exterior:
+        return instance == step.index;
+    case LandscapeStep::Kind::Building:
+        return instance == views_.buildings[step.index].exterior;
+    }
+    return false;
 }
 
 void GatePlanner::flushGround(FramePlan& plan) {

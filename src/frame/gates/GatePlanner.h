@@ -76,6 +76,8 @@ private:
     void planLandscape(const Input& in);
     void planBuilding(const Input& in, std::size_t building);
     void planInside(const Input& in, std::size_t part);
+    /// Whether a step of the landscape draws a surface.
+    [[nodiscard]] bool isOf(const Surface& surface, const LandscapeStep& step) const;
     /// Writes the ground and exteriors gathered so far as a stage, and forgets them.
     void flushGround(FramePlan& plan);
 
@@ -85,7 +87,7 @@ private:
 
     const StaticScene& scene_;
     const world::World& world_;
-    std::vector<world::InstanceIndex> exteriorOf_; ///< exteriorsOfOpenings; empty until Gate::Depth is used
+    std::optional<Exteriors> exteriors_; ///< none until Gate::Depth is used
     GateSelection selection_;
     visibility::Viewcones cones_;
     std::vector<SelectedPart> parts_;

@@ -52,16 +52,14 @@ double metresTo(const Sphere& bounds, const Vec3& eye) {
 
 class DepthDivision {
 public:
-    DepthDivision(const world::World& world, std::span<const world::InstanceIndex> exteriorOf,
-                  std::span<const Visit> visits)
-        : world_(world), exteriorOf_(exteriorOf), visits_(visits), parts_(visits.size()) {}
+    DepthDivision(const world::World& world, const Exteriors& exteriors, std::span<const Visit> visits)
+        : world_(world), exteriors_(exteriors), visits_(visits), parts_(visits.size()) {}
 
     DepthViews divide(const Vec3& eye) {
         for (std::size_t i = 0; i < visits_.size(); ++i)
             parts_[i] = partOf(visits_[i]);
         for (const std::uint32_t i : farToNear(visits_))
             add(i);
-        sortBuildings(eye);
         addSteps(eye);
         return std::move(views_);
     }
@@ -83,7 +81,7 @@ private:
 
     /// Openings of one exterior lead into one building; an opening without an exterior is a building of its own.
     [[nodiscard]] std::uint32_t buildingOf(std::uint32_t portal) {
-        const world::InstanceIndex exterior = exteriorOf_[portal];
+        const world::InstanceIndex exterior = exteriors_.ofOpening[portal];
         const auto key = exterior != world::kNone ? std::pair(0u, exterior) : std::pair(1u, portal);
         const auto [found, isNew] =
             numbers_.emplace(key, static_cast<std::uint32_t>(views_.buildings.size()));
@@ -132,11 +130,26 @@ private:
         return metresTo({world_.spaces[visit.space].bounds.centre(), 0.0}, eye);
     }
 
-    void sortBuildings(const Vec3& eye) {
-        std::stable_sort(views_.buildings.begin(), views_.buildings.end(),
-                         [&](const SeenBuilding& a, const SeenBuilding& b) {
-                             return metresToBuilding(a, eye) > metresToBuilding(b, eye);
-                         });
+    /// A building of a block, and its distance from the eye.
+    struct Placed {
+        double metres = 0.0;
+        std::uint32_t block = 0;
+        LandscapeStep step;
+    };
+    /// Far to near.
+    [[nodiscard]] std::vector<Placed> placedBuildings(const Vec3& eye) const {
+        std::vector<Placed> placed;
+        for (std::uint32_t b = 0; b < views_.buildings.size(); ++b)
+            placed.push_back({metresToBuilding(views_.buildings[b], eye), views_.buildings[b].block,
+                              {LandscapeStep::Kind::Building, b}});
+        for (const world::InstanceIndex exterior : exteriors_.all)
+            if (!numbers_.contains({0u, exterior}))
+                placed.push_back({metresTo(world_.instances[exterior].bounds, eye),
+                                  world_.instances[exterior].block,
+                                  {LandscapeStep::Kind::Exterior, exterior}});
+        std::stable_sort(placed.begin(), placed.end(),
+                         [](const Placed& a, const Placed& b) { return a.metres > b.metres; });
+        return placed;
     }
 
     void addSteps(const Vec3& eye) {
@@ -147,16 +160,17 @@ private:
         std::stable_sort(blocks.begin(), blocks.end(), [&](std::uint32_t a, std::uint32_t b) {
             return squaredToBlock(world_.blocks[a], eye) > squaredToBlock(world_.blocks[b], eye);
         });
+        const std::vector<Placed> buildings = placedBuildings(eye);
         for (const std::uint32_t block : blocks) {
             views_.steps.push_back({LandscapeStep::Kind::Block, block});
-            for (std::uint32_t b = 0; b < views_.buildings.size(); ++b)
-                if (views_.buildings[b].block == block)
-                    views_.steps.push_back({LandscapeStep::Kind::Building, b});
+            for (const Placed& placed : buildings)
+                if (placed.block == block)
+                    views_.steps.push_back(placed.step);
         }
     }
 
     const world::World& world_;
-    std::span<const world::InstanceIndex> exteriorOf_;
+    const Exteriors& exteriors_;
     std::span<const Visit> visits_;
     std::vector<Part> parts_; ///< by visit
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;
@@ -180,32 +194,32 @@ std::vector<std::uint32_t> farToNear(std::span<const Visit> visits) {
     return order;
 }
 
-std::vector<world::InstanceIndex> exteriorsOfOpenings(const world::World& world) {
-    std::vector<world::InstanceIndex> exteriorOf(world.portals.size(), world::kNone);
-    std::vector<world::InstanceIndex> exteriors;
+Exteriors exteriorsOf(const world::World& world) {
+    Exteriors exteriors;
+    exteriors.ofOpening.resize(world.portals.size(), world::kNone);
     for (world::InstanceIndex i = 0; i < world.instances.size(); ++i)
         if (world.instances[i].kind == world::InstanceKind::Exterior)
-            exteriors.push_back(i);
+            exteriors.all.push_back(i);
     for (std::uint32_t p = 0; p < world.portals.size(); ++p) {
         const world::Portal& portal = world.portals[p];
         double least = std::numeric_limits<double>::infinity();
-        for (const world::InstanceIndex exterior : exteriors) {
+        for (const world::InstanceIndex exterior : exteriors.all) {
             const world::Instance& instance = world.instances[exterior];
             if (portal.space != world::kOutside || instance.block != portal.block)
                 continue;
             const double squared = squaredToOpening(world, instance, portal);
             if (squared < least) {
                 least = squared;
-                exteriorOf[p] = exterior;
+                exteriors.ofOpening[p] = exterior;
             }
         }
     }
-    return exteriorOf;
+    return exteriors;
 }
 
-DepthViews depthViews(const world::World& world, std::span<const world::InstanceIndex> exteriorOf,
-                      std::span<const Visit> visits, const Vec3& eye) {
-    return DepthDivision(world, exteriorOf, visits).divide(eye);
+DepthViews depthViews(const world::World& world, const Exteriors& exteriors, std::span<const Visit> visits,
+                      const Vec3& eye) {
+    return DepthDivision(world, exteriors, visits).divide(eye);
 }
 
 std::vector<std::uint32_t> spacesOf(std::span<const Visit> visits, std::span<const std::uint32_t> order) {

@@ -16,9 +16,14 @@ namespace limen::frame {
 /// Numbers of the visits from far to near: each after all visits beyond it, and far siblings first.
 [[nodiscard]] std::vector<std::uint32_t> farToNear(std::span<const visibility::Visit> visits);
 
-/// The building exterior of each of the outside's portals: of its block, the one whose vertices are nearest to the
-/// opening's corners. By portal; world::kNone for others, and for blocks without exteriors.
-[[nodiscard]] std::vector<world::InstanceIndex> exteriorsOfOpenings(const world::World& world);
+/// The building exteriors of a world.
+struct Exteriors {
+    std::vector<world::InstanceIndex> all;
+    /// By portal: for the outside's, the exterior of its block whose vertices are nearest to the opening's corners.
+    /// world::kNone for others, and for blocks without exteriors.
+    std::vector<world::InstanceIndex> ofOpening;
+};
+[[nodiscard]] Exteriors exteriorsOf(const world::World& world);
 
 /// A building that the eye sees into, in Gate::Depth.
 struct SeenBuilding {
@@ -31,10 +36,11 @@ struct SeenBuilding {
 /// One step of drawing the landscape in Gate::Depth.
 struct LandscapeStep {
     enum class Kind : std::uint8_t {
-        Block,   ///< the ground of a block, and its exteriors that are not seen into
-        Building ///< its openings, its cells, then its exterior
+        Block,    ///< the ground of a block
+        Exterior, ///< of a building that is not seen into
+        Building  ///< its openings, its cells, then its exterior
     } kind = Kind::Block;
-    std::uint32_t index = 0; ///< into World::blocks; into DepthViews::buildings
+    std::uint32_t index = 0; ///< into World::blocks; World::instances; DepthViews::buildings
     friend bool operator==(const LandscapeStep&, const LandscapeStep&) = default;
 };
 
@@ -43,16 +49,16 @@ struct LandscapeStep {
 struct DepthViews {
     std::vector<std::uint32_t> landscape;   ///< visits to the outside, far to near; empty: not seen
     std::vector<SeenBuilding> buildings;    ///< far to near
-    std::vector<LandscapeStep> steps;       ///< far to near, each block once
+    std::vector<LandscapeStep> steps;       ///< far to near; each block, followed by its buildings
     std::vector<std::uint32_t> inside;      ///< visits to cells without going outside, far to near
     std::vector<std::uint32_t> fences;      ///< visits from those cells to the outside, each portal once
     [[nodiscard]] bool clearsDepth() const { return !fences.empty(); }
 };
 
-/// `exteriorOf`: from exteriorsOfOpenings. `eye`: global. Blocks are ordered by the distance of their nearest point,
+/// `exteriors`: of the world. `eye`: global. Blocks are ordered by the distance of their nearest point,
 /// buildings of a block by the distance of the nearest point of their bounds.
 [[nodiscard]] DepthViews depthViews(const world::World& world,
-                                    std::span<const world::InstanceIndex> exteriorOf,
+                                    const Exteriors& exteriors,
                                     std::span<const visibility::Visit> visits, const Vec3& eye);
 
 /// The spaces of visits that are in order far to near, each once, where its last visit is.
