@@ -268,7 +268,7 @@ void Application::searchObjects(const std::string& text) {
     constexpr std::size_t kMostShown = 50;
     objects_.clear();
     const engine::PlacedObjects* placed = world_ ? world_->session().source().placed.get() : nullptr;
-    if (placed == nullptr)
+    if (placed == nullptr || text.size() < kLeastSearched)
         return;
     Result<std::vector<engine::FoundObject>> found =
         placed->search(text, world_->request().camera.eye, kMostShown);

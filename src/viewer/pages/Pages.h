@@ -22,6 +22,9 @@ struct LoadingFacts {
     double seconds = 0.0;  ///< since loading began
 };
 
+/// Letters from which a text is searched among placed objects. Fewer match so many that the search is felt.
+inline constexpr std::size_t kLeastSearched = 3;
+
 /// The input of all pages for one frame. Plain data; pages do not see the session.
 struct PagesFacts {
     const PageState& state;

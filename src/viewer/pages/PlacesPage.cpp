@@ -69,10 +69,10 @@ PageChoice drawPlaces(Ui& ui, const PagesFacts& facts, std::string& filter) {
     const std::size_t places = drawFoundPlaces(ui, facts, filter, takesFirst, choice);
     if (!facts.objects.empty())
         drawFoundObjects(ui, facts, takesFirst && places == 0, choice);
+    else if (facts.hasObjects && filter.size() < kLeastSearched)
+        uiNote("Type three letters of a name to find people and things.");
     else if (places == 0)
-        uiNote(!filter.empty()    ? "Nothing has this name."
-               : facts.hasObjects ? "Type the name of a person or a thing."
-                                  : "This world names no places.");
+        uiNote(filter.empty() ? "This world names no places." : "Nothing has this name.");
     ImGui::EndChild();
     if (endPage(ui, kBox))
         choice.back();
