@@ -24,7 +24,8 @@ constexpr std::array kFigures{
     Figure{"draws", "draws", [](const GateFrame& frame) { return static_cast<double>(frame.draws); }},
     Figure{"fragments", "thousands",
            [](const GateFrame& frame) { return 1e-3 * frame.fragments.value_or(kNotMeasured); }},
-    Figure{"rectangles", "regions", [](const GateFrame& frame) { return static_cast<double>(frame.fallbacks); }},
+    Figure{"rectangles", "regions",
+           [](const GateFrame& frame) { return static_cast<double>(frame.fallbacks); }},
 };
 
 /// By place.
@@ -76,7 +77,8 @@ std::vector<BenchRow> benchGates(AllocationCounter) {
             timeGates(*driver->device, *files.archive, files.world, places, options);
         if (!frames)
             return {failedRow("gates", frames.error().message(), "ms")};
-        const std::vector<BenchRow> ofWay = gateRows(*frames, drawing == gpu::Drawing::Fast ? "fast" : "exact");
+        const std::vector<BenchRow> ofWay =
+            gateRows(*frames, drawing == gpu::Drawing::Fast ? "fast" : "exact");
         rows.insert(rows.end(), ofWay.begin(), ofWay.end());
     }
     return rows;

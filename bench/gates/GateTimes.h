@@ -10,9 +10,9 @@ namespace limen::bench {
 
 /// Figures of one frame.
 struct GateFrame {
-    double milliseconds = 0.0; ///< from the flood until the rasteriser is done; the median over the repeats
-    std::uint32_t calls = 0;   ///< GL calls
-    std::uint32_t draws = 0;   ///< draw commands
+    double milliseconds = 0.0;   ///< from the flood until the rasteriser is done; the median over the repeats
+    std::uint32_t calls = 0;     ///< GL calls
+    std::uint32_t draws = 0;     ///< draw commands
     std::uint32_t fallbacks = 0; ///< regions drawn in their rectangle
     std::optional<double> fragments; ///< fragment shader invocations; none: the driver does not count them
 };
@@ -33,6 +33,7 @@ struct GateEffort {
 [[nodiscard]] Result<GateFrames> timeGates(gpu::Device& device, const dat::Archive& archive,
                                            const world::WorldFile& file,
                                            const std::vector<world::Place>& places,
-                                           const gpu::RendererOptions& options, const GateEffort& effort = {});
+                                           const gpu::RendererOptions& options,
+                                           const GateEffort& effort = {});
 
 } // namespace limen::bench

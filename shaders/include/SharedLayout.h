@@ -230,7 +230,8 @@ LIMEN_STRUCT(Instance) {
     vec4 pose0 LIMEN_ZERO;
     vec4 pose1 LIMEN_ZERO;
     vec4 pose2 LIMEN_ZERO;
-    uint block LIMEN_ZERO; // in the low half; the high half: a clip set (kClipSetShift), only of the plan's records
+    uint block
+        LIMEN_ZERO; // in the low half; the high half: a clip set (kClipSetShift), only of the plan's records
     uint idBase LIMEN_ZERO;
     uint firstMaterial LIMEN_ZERO; // into material refs; for terrain: into terrain cells
     uint firstMember LIMEN_ZERO;
@@ -253,7 +254,7 @@ LIMEN_CONST kEndlessRange = 0xFFFFu;
 LIMEN_CONST kFromAnywhere = 0xFFFFFFFFu;
 LIMEN_CONST kMeasureObject = 0u; // world::LevelMeasure
 LIMEN_CONST kMeasureLandcell = 1u;
-LIMEN_CONST kMeasures = 4u; // a power of two
+LIMEN_CONST kMeasures = 4u;       // a power of two
 LIMEN_CONST kBlockMask = 0xFFFFu; // of Instance.block
 LIMEN_CONST kClipSetShift = 16u;
 LIMEN_CONST kMostMembers = 0xFFFFu;

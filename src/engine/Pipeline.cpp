@@ -42,8 +42,7 @@ Result<const visibility::Graph*> Pipeline::graph() {
     if (gate_ == frame::Gate::Ownership)
         return &part().graph;
     if (!spaceGraph_) {
-        Result<visibility::Graph> made =
-            frame::visibilityGraph(part().world, frame::GraphZones::EachSpace);
+        Result<visibility::Graph> made = frame::visibilityGraph(part().world, frame::GraphZones::EachSpace);
         if (!made)
             return tl::unexpected(made.error());
         spaceGraph_.emplace(std::move(*made));

@@ -30,9 +30,9 @@ public:
                 openings_.drawWithin(i, set_.region(visit), {0.0, {0, 0, 0, 1}});
             } else if (set_.visits[visit.parent].depth > 0 && frame_.rules.ancestorClip) {
                 const visibility::Visit& parent = set_.visits[visit.parent];
-                openings_.drawWithin(i, set_.region(parent),
-                                     {frame_.rules.growth ? OpeningTriangles::kGrowth : 0.0,
-                                      planeFor(i, parent.entryPlane)});
+                openings_.drawWithin(
+                    i, set_.region(parent),
+                    {frame_.rules.growth ? OpeningTriangles::kGrowth : 0.0, planeFor(i, parent.entryPlane)});
             } else {
                 openings_.draw(i, 0);
             }

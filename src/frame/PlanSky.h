@@ -10,7 +10,8 @@
 namespace limen::frame {
 
 /// Overwrites `placements` with the sky objects of a frame.
-void placeSky(const world::World& world, const FrameView& frame, std::vector<world::SkyPlacement>& placements);
+void placeSky(const world::World& world, const FrameView& frame,
+              std::vector<world::SkyPlacement>& placements);
 
 /// Some objects of the sky, and the clip set of their draws.
 struct SkyShare {

@@ -142,7 +142,8 @@ void Planner::fillConstants(const FrameView& frame, const visibility::VisibleSet
     c.fogRange = {sky.fogNear, sky.fogFar, 0.0f, 0.0f};
     c.skyZenith = {sky.fogColour * Vec3f(kZenith[0], kZenith[1], kZenith[2]), 1.0f};
     c.voidColour = {frame.voidColour, 1.0f};
-    c.rootZone = world_.spaces[set.visits[0].space].zone; // not the visit's: a flood may have zones of its own
+    c.rootZone =
+        world_.spaces[set.visits[0].space].zone; // not the visit's: a flood may have zones of its own
     c.visitCount = static_cast<std::uint32_t>(set.visits.size());
     c.flags = (frame.exactCutOuts ? gpu::kFrameExactCutOuts : 0) |
               (frame.look == world::Look::Enhanced ? gpu::kFramePixelLamps : 0);

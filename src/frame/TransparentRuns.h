@@ -19,7 +19,8 @@ public:
     /// Adds a run of pieces of one instance. `bounds`: of the instance, global.
     void addRun(const PieceRun& run, std::uint32_t instance, const Sphere& bounds, const Vec3& eye);
     /// Moves the blended pieces of `pieces` into the plan, and adds them.
-    void addDynamic(const world::DynamicState& dynamics, const Vec3& eye, DynamicPieces& pieces, FramePlan& plan);
+    void addDynamic(const world::DynamicState& dynamics, const Vec3& eye, DynamicPieces& pieces,
+                    FramePlan& plan);
     /// Adds everything to the plan's last batch, back to front.
     void write(bool gated, FramePlan& plan);
 

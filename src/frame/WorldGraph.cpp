@@ -8,8 +8,7 @@ Result<visibility::Graph> visibilityGraph(const world::World& world, GraphZones 
     spaces.reserve(world.spaces.size());
     for (const world::Space& s : world.spaces) {
         const auto number = static_cast<std::uint32_t>(spaces.size());
-        spaces.push_back(
-            {s.firstPortal, s.portalCount, zones == GraphZones::OfWorld ? s.zone : number});
+        spaces.push_back({s.firstPortal, s.portalCount, zones == GraphZones::OfWorld ? s.zone : number});
     }
     std::vector<visibility::PortalDesc> portals;
     std::vector<Vec3> vertices = world.portalCorners; // outlines are appended

@@ -39,7 +39,8 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
         LIMEN_ASSERT(batch.program == frame::Program::SkyPlain ||
                          std::uint64_t{batch.first} + batch.count <= size,
                      "a batch is within the runs");
-        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain || batch.first + batch.draws <= plan.clipSets.size(),
+        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain ||
+                         batch.first + batch.draws <= plan.clipSets.size(),
                      "each triangle of the sky has a clip set");
     }
     for (const frame::PieceRun& run : plan.runs) {

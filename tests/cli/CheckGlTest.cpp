@@ -64,7 +64,8 @@ TEST(Check, theSameSeedChecksTheSameAndZonesDoNotMatter) {
 // A dungeon of convex cells, on which every gate is exact (docs/gates.md).
 TEST(Check, findsNothingWrongWithAnyGateInADungeon) {
     const ProgramRunner runner;
-    ASSERT_EQ(runner.run({"demo", "--kind", "dungeon", "--size", "8", "--seed", "3", "-o", "dungeon"}).exit, 0);
+    ASSERT_EQ(runner.run({"demo", "--kind", "dungeon", "--size", "8", "--seed", "3", "-o", "dungeon"}).exit,
+              0);
     for (const char* gate : {"ownership", "planes", "depth"}) {
         const ProgramRun run = runner.run(
             {"check", "--dat", "dungeon", "--views", "12", "--size", "48x27", "--json", "--gate", gate});

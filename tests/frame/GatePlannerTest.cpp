@@ -102,8 +102,8 @@ TEST_P(GatePlannerTest, theLandscapeIsGatedToItsRegion) {
     const auto& plan = planFrom({92, 91, 1.5}, 0, first);
     std::size_t ground = 0;
     for (const Drawn& drawn : drawnBy(plan)) {
-        const bool isLand = kindOf(drawn) == world::InstanceKind::Terrain ||
-                            kindOf(drawn) == world::InstanceKind::Exterior;
+        const bool isLand =
+            kindOf(drawn) == world::InstanceKind::Terrain || kindOf(drawn) == world::InstanceKind::Exterior;
         ground += isLand ? 1 : 0;
         EXPECT_TRUE(!isLand || drawn.clipSet == 1u) << "the region of the only visit outside";
     }
@@ -120,7 +120,8 @@ TEST_P(GatePlannerTest, withoutAnOutsideRegionThereIsNoLandscapeAndNoSky) {
     EXPECT_EQ(count(plan, Program::SkyPlain), 0u);
     EXPECT_EQ(count(plan, Program::SkyObjects), 0u);
     for (const Drawn& drawn : drawnBy(plan))
-        EXPECT_TRUE(kindOf(drawn) == world::InstanceKind::Shell || kindOf(drawn) == world::InstanceKind::Static);
+        EXPECT_TRUE(kindOf(drawn) == world::InstanceKind::Shell ||
+                    kindOf(drawn) == world::InstanceKind::Static);
 }
 
 TEST_P(GatePlannerTest, aSingleVisitHasTheSamePlanWithEveryGate) {

@@ -61,7 +61,9 @@ struct DepthViewsTest : ::testing::Test {
 };
 
 TEST_F(DepthViewsTest, anOpeningBelongsToTheExteriorAroundIt) {
-    const auto exterior = [&](std::uint32_t portal) { return planned.world.instances[exteriors.ofOpening[portal]]; };
+    const auto exterior = [&](std::uint32_t portal) {
+        return planned.world.instances[exteriors.ofOpening[portal]];
+    };
     std::size_t openings = 0;
     for (std::uint32_t p = 0; p < planned.world.portals.size(); ++p) {
         if (planned.world.portals[p].space != world::kOutside) {

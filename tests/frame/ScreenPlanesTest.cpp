@@ -22,7 +22,8 @@ std::vector<Vec3> roundRegion(int corners, double radius) {
     std::vector<Vec3> region;
     for (int i = 0; i < corners; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / corners;
-        region.push_back({radius * std::cos(angle) * kSize.height / kSize.width, radius * std::sin(angle), 1.0});
+        region.push_back(
+            {radius * std::cos(angle) * kSize.height / kSize.width, radius * std::sin(angle), 1.0});
     }
     return region;
 }
@@ -51,7 +52,8 @@ TEST(ScreenPlanes, keepTheRegionAndNoMoreThanAFractionOfAPixel) {
         EXPECT_TRUE(isInside(planes, corner * 7.5)) << "homogeneous";
         const double pixel = 2.0 / kSize.height;
         const double away = 1.0 + pixel / 0.5;
-        EXPECT_FALSE(isInside(planes, {corner.x * away, corner.y * away, 1.0})) << "a pixel beyond the corner";
+        EXPECT_FALSE(isInside(planes, {corner.x * away, corner.y * away, 1.0}))
+            << "a pixel beyond the corner";
     }
 }
 
@@ -72,7 +74,8 @@ TEST(ScreenPlanes, nearlyCollinearEdgesAreMerged) {
     EXPECT_FALSE(planes.isRectangle);
     for (const Vec3& corner : region)
         EXPECT_TRUE(isInside(planes, corner)) << "merging never loses a part of the region";
-    EXPECT_FALSE(isInside(planes, {0, 0.03 + 2.5 * 2.0 / kSize.height, 1})) << "nor adds two pixels and a half";
+    EXPECT_FALSE(isInside(planes, {0, 0.03 + 2.5 * 2.0 / kSize.height, 1}))
+        << "nor adds two pixels and a half";
 }
 
 TEST(ScreenPlanes, tooManyEdgesFallBackToTheRectangle) {

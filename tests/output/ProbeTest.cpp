@@ -85,7 +85,8 @@ TEST(Probe, aChangeOfTheGateOrOfItsSpacesIsOneLine) {
     EXPECT_EQ(vis["gate"], "planes");
     EXPECT_EQ(vis["root"], kCell);
     EXPECT_EQ(vis["outside_regions"], 2);
-    EXPECT_EQ(vis["spaces"][0], (json{{"space", "outside"}, {"regions", 2}, {"planes", 8}, {"fallbacks", 1}}));
+    EXPECT_EQ(vis["spaces"][0],
+              (json{{"space", "outside"}, {"regions", 2}, {"planes", 8}, {"fallbacks", 1}}));
     EXPECT_EQ(vis["spaces"][1]["space"], kCell);
     EXPECT_THAT(f.see(), IsEmpty());
     f.plan.spaces[0].planes = 7;

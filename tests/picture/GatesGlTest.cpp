@@ -16,7 +16,7 @@ using frame::Gate;
 
 /// An eye in a cell of a world.
 struct Standpoint {
-    Vec3 low{0.0}, high{0.0}; ///< the eye is in this box
+    Vec3 low{0.0}, high{0.0};            ///< the eye is in this box
     std::optional<TestWorld::Cell> cell; ///< none: outside
 };
 
@@ -75,13 +75,15 @@ std::uint64_t judgeRandomViews(ExactWorld& exact, Gate gate, int views) {
     pictures.height = 24;
     std::mt19937 random(7);
     const auto between = [&](double low, double high) {
-        return low + (high - low) * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
+        return low +
+               (high - low) * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
     };
     std::uint64_t all = 0;
     int several = 0;
     for (int i = 0; i < views; ++i) {
         const Standpoint& at = exact.standpoints[static_cast<std::size_t>(i) % exact.standpoints.size()];
-        const Vec3 eye{between(at.low.x, at.high.x), between(at.low.y, at.high.y), between(at.low.z, at.high.z)};
+        const Vec3 eye{between(at.low.x, at.high.x), between(at.low.y, at.high.y),
+                       between(at.low.z, at.high.z)};
         const world::SpaceIndex root = at.cell ? pictures.space(exact.world.id(*at.cell)) : world::kOutside;
         const double yaw = between(0, 360), pitch = between(-40, 40);
         frame::FrameView view = pictures.look(eye, yaw, pitch, root);
@@ -90,8 +92,8 @@ std::uint64_t judgeRandomViews(ExactWorld& exact, Gate gate, int views) {
         const std::uint64_t wrong = pictures.judge(picture).findings();
         several += picture.visible.visits.size() > 1 ? 1 : 0;
         all += wrong;
-        EXPECT_EQ(wrong, 0u) << "view " << i << ": eye " << eye.x << "," << eye.y << "," << eye.z << " yaw " << yaw
-                             << " pitch " << pitch;
+        EXPECT_EQ(wrong, 0u) << "view " << i << ": eye " << eye.x << "," << eye.y << "," << eye.z << " yaw "
+                             << yaw << " pitch " << pitch;
     }
     if (gate != Gate::Ownership) // in one zone, depth alone decides
         EXPECT_GT(several, views / 4) << "views that need a gate";

@@ -82,8 +82,8 @@ void GatePlanner::begin(const Input& in) {
     root.parent = gpu::kNoVisit;
     in.plan.visits.push_back(root);
     in.plan.constants.visitCount = 1; // shaders look for no other
-    const double pixel = 2.0 * std::max(in.frame.view.tanHalfX / in.frame.width,
-                                        in.frame.view.tanHalfY / in.frame.height);
+    const double pixel =
+        2.0 * std::max(in.frame.view.tanHalfX / in.frame.width, in.frame.view.tanHalfY / in.frame.height);
     cones_.prepare(in.frame.view, in.set, pixel);
     selection_.begin(in.frame, in.dynamics, in.set);
     slices_.clear();
@@ -111,9 +111,7 @@ GatePlanner::Slice GatePlanner::makeSlice(const Input& in, std::uint32_t visit) 
 }
 
 void GatePlanner::makeSlices(const Input& in, Order visits) {
-    const auto isOutside = [&](std::uint32_t visit) {
-        return in.set.visits[visit].space == world::kOutside;
-    };
+    const auto isOutside = [&](std::uint32_t visit) { return in.set.visits[visit].space == world::kOutside; };
     for (const std::uint32_t visit : visits) {
         if (!isOutside(visit))
             continue;

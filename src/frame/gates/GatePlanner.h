@@ -35,7 +35,7 @@ private:
     };
     /// A wall or a piece of ground, whole or clipped by one slice.
     struct Surface {
-        std::uint32_t position = 0;         ///< of Clusters::order
+        std::uint32_t position = 0;          ///< of Clusters::order
         std::uint32_t record = world::kNone; ///< of the plan; kNone: the static one, unclipped
         RectRun rects;
     };

@@ -26,14 +26,13 @@ void GateSelection::select(std::span<const std::uint32_t> visits, SelectedPart& 
     part.objects.clear();
     const world::World& world = scene_.world();
     for (const SelectedRange& range : selection_.ranges()) {
-        for (std::uint32_t at = range.first; at < range.end; ++at) {
+        for (std::uint32_t at = range.first; at < range.end; ++at)
             if (isClipped(world.instances[scene_.clusters().order[at]].kind))
                 part.surfaces.push_back(at);
             else if (!part.objects.empty() && part.objects.back().end == at)
                 ++part.objects.back().end;
             else
                 part.objects.push_back({at, at + 1});
-        }
     }
     part.dynamics.assign(selection_.dynamicInstances().begin(), selection_.dynamicInstances().end());
     for (SelectedDynamic& dynamic : part.dynamics)

@@ -29,7 +29,8 @@ public:
     explicit GateSelection(const StaticScene& scene) : scene_(scene), selection_(scene) {}
 
     /// Starts a frame. All arguments must stay unchanged until its last part is selected.
-    void begin(const FrameView& frame, const world::DynamicState& dynamics, const visibility::VisibleSet& set);
+    void begin(const FrameView& frame, const world::DynamicState& dynamics,
+               const visibility::VisibleSet& set);
     /// Overwrites `part` with the instances seen in these visits.
     void select(std::span<const std::uint32_t> visits, SelectedPart& part);
     /// Of all parts since `begin`. An instance of several parts counts several times.
@@ -40,9 +41,9 @@ private:
     Selection selection_;
     const FrameView* frame_ = nullptr;
     const world::DynamicState* dynamics_ = nullptr;
-    visibility::VisibleSet set_;                  ///< the frame's, with the seen spaces of one part
-    std::vector<visibility::SeenSpace> allSeen_;  ///< of the frame
-    std::vector<std::uint8_t> isWanted_;          ///< by visit
+    visibility::VisibleSet set_;                 ///< the frame's, with the seen spaces of one part
+    std::vector<visibility::SeenSpace> allSeen_; ///< of the frame
+    std::vector<std::uint8_t> isWanted_;         ///< by visit
     Selection::Counts counts_;
 };
 

@@ -140,7 +140,8 @@ private:
     [[nodiscard]] std::vector<Placed> placedBuildings(const Vec3& eye) const {
         std::vector<Placed> placed;
         for (std::uint32_t b = 0; b < views_.buildings.size(); ++b)
-            placed.push_back({metresToBuilding(views_.buildings[b], eye), views_.buildings[b].block,
+            placed.push_back({metresToBuilding(views_.buildings[b], eye),
+                              views_.buildings[b].block,
                               {LandscapeStep::Kind::Building, b}});
         for (const world::InstanceIndex exterior : exteriors_.all)
             if (!numbers_.contains({0u, exterior}))

@@ -47,18 +47,17 @@ struct LandscapeStep {
 /// The parts of a frame in Gate::Depth. A visit to the outside through the cells of a building is in no part: the
 /// landscape has been drawn before.
 struct DepthViews {
-    std::vector<std::uint32_t> landscape;   ///< visits to the outside, far to near; empty: not seen
-    std::vector<SeenBuilding> buildings;    ///< far to near
-    std::vector<LandscapeStep> steps;       ///< far to near; each block, followed by its buildings
-    std::vector<std::uint32_t> inside;      ///< visits to cells without going outside, far to near
-    std::vector<std::uint32_t> fences;      ///< visits from those cells to the outside, each portal once
+    std::vector<std::uint32_t> landscape; ///< visits to the outside, far to near; empty: not seen
+    std::vector<SeenBuilding> buildings;  ///< far to near
+    std::vector<LandscapeStep> steps;     ///< far to near; each block, followed by its buildings
+    std::vector<std::uint32_t> inside;    ///< visits to cells without going outside, far to near
+    std::vector<std::uint32_t> fences;    ///< visits from those cells to the outside, each portal once
     [[nodiscard]] bool clearsDepth() const { return !fences.empty(); }
 };
 
 /// `exteriors`: of the world. `eye`: global. Blocks are ordered by the distance of their nearest point,
 /// buildings of a block by the distance of the nearest point of their bounds.
-[[nodiscard]] DepthViews depthViews(const world::World& world,
-                                    const Exteriors& exteriors,
+[[nodiscard]] DepthViews depthViews(const world::World& world, const Exteriors& exteriors,
                                     std::span<const visibility::Visit> visits, const Vec3& eye);
 
 /// The spaces of visits that are in order far to near, each once, where its last visit is.

@@ -15,7 +15,8 @@ struct ScreenPlanes {
     static constexpr std::size_t kMost = 8; ///< clip distances that every driver has
     std::array<Vec3, kMost> lines{};        ///< unit length
     std::uint32_t count = 0;                ///< 0: the whole picture
-    bool isRectangle = false; ///< the region has too many edges: the lines are those of its bounding rectangle
+    bool isRectangle =
+        false; ///< the region has too many edges: the lines are those of its bounding rectangle
 };
 
 /// Picture size in pixels.

@@ -274,7 +274,9 @@ Result<void> GlDevice::makePasses(Target& target) {
             return unless(target.layers.empty(),
                           [&] { return make(Pass::Layers, "layers", layers, kWritesBlended); });
         })
-        .and_then([&] { return make(Pass::Depth, "depth", {&all[2], 1}, kWritesNothing); })
+        .and_then([&] {
+            return make(Pass::Depth, "depth", {&all[2], 1}, kWritesNothing);
+        })
         .and_then([&] {
             const Attachment resolved{kFirstImage, target.resolved.id()};
             return unless(!target.isMultisampled(), [&] {
