@@ -184,8 +184,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
         picture.samples = target->samplePositions();
     } else {
         picture.ids = target->readIds();
-        if (frame.gate != frame::Gate::Depth) // its depth image has the depths of openings in places
-            picture.depth = target->readDepth();
+        picture.depth = target->readDepth();
     }
     picture.colour = target->readColour();
     if (options.wantLayers)
@@ -215,7 +214,8 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
     drawn.width = frame.width;
     drawn.height = frame.height;
     drawn.ids = picture.ids;
-    drawn.depth = picture.depth;
+    if (frame.gate != frame::Gate::Depth) // its depth image has the depths of openings in places
+        drawn.depth = picture.depth;
     drawn.depthUnit = frame.nearPlane;
     for (const gpu::LayerSum& layers : picture.layers)
         drawn.layers.push_back({layers.count, layers.hash});
