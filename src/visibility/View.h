@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Api.h"
 #include "geometry/Vec.h"
 
 #include <cstdint>
@@ -9,7 +10,7 @@ namespace limen::visibility {
 /// An eye and its perspective. Screen space in this room is homogeneous (x, y, w): x to the right and y up,
 /// scaled so that the screen is |x| <= w, |y| <= w, and w the distance forward in metres. There is no near
 /// plane.
-struct View {
+struct LIMEN_API View {
     Vec3 eye{0.0};                                      ///< in the graph's frame
     Vec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0}; ///< orthonormal
     double tanHalfX = 1.0, tanHalfY = 1.0;              ///< tangents of half the field of view, > 0

@@ -149,7 +149,7 @@ const Template* PlacedObjects::find(std::uint32_t id) const {
         if (of)
             entry->second = std::move(*of);
         else
-            fault_ = tl::unexpected(of.error());
+            fault_ = Failure(of.error());
     }
     return entry->second ? &*entry->second : nullptr;
 }
@@ -159,7 +159,7 @@ Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& nam
     Result<std::vector<placements::Found>> found =
         database_.search(withoutGuid(name), std::nullopt, kMostFound);
     if (!found)
-        return tl::unexpected(found.error());
+        return Failure(found.error());
     // The object itself, then those whose whole name is the text, then those whose name contains it.
     const auto rank = [&](const placements::Found& one) {
         return fmt::format("{} {:08X}", one.name, one.placement.guid) == name ? 0
@@ -187,7 +187,7 @@ Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::P
     const auto number = static_cast<std::uint32_t>(block.x) << 8 | static_cast<std::uint32_t>(block.y);
     const Result<placements::Landblock> landblock = database_.landblock(number);
     if (!landblock)
-        return tl::unexpected(landblock.error());
+        return Failure(landblock.error());
     const std::lock_guard guard(lock_);
     const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
     for (const placements::Standing& standing : standingIn(*landblock, findTemplate))
@@ -203,7 +203,7 @@ Result<std::vector<world::PlacedEntry>> PlacedObjects::around(const dat::Archive
     const int radius = world::isDungeon(archive, centre) ? 0 : std::clamp(options.radius, 0, 255);
     for (const dat::BlockCoord block : world::blocksAround(centre, radius))
         if (Result<void> added = addBlock(block, entries); !added)
-            return tl::unexpected(added.error());
+            return Failure(added.error());
     return entries;
 }
 
