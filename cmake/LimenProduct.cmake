@@ -16,11 +16,11 @@ function(limen_public_header out source path)
     set(${out} ${${out}} ${copy} PARENT_SCOPE)
 endfunction()
 
-# limen_product(name ROOMS r... HEADERS h... [REQUIRES target...] [LINKS target...] [PKG_CONFIG_REQUIRES p...]
+# limen_product(name DESCRIPTION d ROOMS r... HEADERS h... [C_HEADER h] [REQUIRES target...] [LINKS target...] [PKG_CONFIG_REQUIRES p...]
 # [PKG_CONFIG_PRIVATE p...]): the library limen-name with the alias limen::name. REQUIRES are part of its interface;
 # LINKS are needed to link a static one. BUILD_SHARED_LIBS chooses the kind.
 function(limen_product name)
-    cmake_parse_arguments(ARG "" "DESCRIPTION" "ROOMS;HEADERS;REQUIRES;LINKS;PKG_CONFIG_REQUIRES;PKG_CONFIG_PRIVATE" ${ARGN})
+    cmake_parse_arguments(ARG "" "DESCRIPTION;C_HEADER" "ROOMS;HEADERS;REQUIRES;LINKS;PKG_CONFIG_REQUIRES;PKG_CONFIG_PRIVATE" ${ARGN})
     set(target limen_library_${name})
     set(objects)
     foreach(room IN LISTS ARG_ROOMS)
@@ -30,6 +30,9 @@ function(limen_product name)
     foreach(header IN LISTS ARG_HEADERS)
         limen_public_header(headers ${PROJECT_SOURCE_DIR}/src/${header} ${header})
     endforeach()
+    if(ARG_C_HEADER) # limen/NAME.h
+        limen_public_header(headers ${PROJECT_SOURCE_DIR}/src/${ARG_C_HEADER} ${name}.h)
+    endif()
     add_library(${target} ${objects})
     if(NOT TARGET limen::${name})
         add_library(limen::${name} ALIAS ${target})

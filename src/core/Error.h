@@ -8,7 +8,6 @@
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <variant>
 
 namespace limen {
 
@@ -73,35 +72,34 @@ class [[nodiscard]] Result {
 public:
     using value_type = T;
 
-    Result() requires std::default_initializable<T> : content_(std::in_place_index<0>) {}
+    Result() requires std::default_initializable<T> : value_(std::in_place) {}
     template <class... Args>
-    explicit Result(std::in_place_t, Args&&... args)
-        : content_(std::in_place_index<0>, std::forward<Args>(args)...) {}
+    explicit Result(std::in_place_t, Args&&... args) : value_(std::in_place, std::forward<Args>(args)...) {}
     template <class U = T>
     requires(std::is_constructible_v<T, U> && !std::same_as<std::remove_cvref_t<U>, Result> &&
              !std::same_as<std::remove_cvref_t<U>, Failure> &&
              !std::same_as<std::remove_cvref_t<U>, std::in_place_t>) explicit(!std::is_convertible_v<U, T>)
         Result(U&& value) // NOLINT: a value is a result
-        : content_(std::in_place_index<0>, std::forward<U>(value)) {}
+        : value_(std::in_place, std::forward<U>(value)) {}
     Result(Failure failure) // NOLINT: a failure is a result
-        : content_(std::in_place_index<1>, std::move(failure).error()) {}
+        : error_(std::move(failure).error()) {}
 
-    [[nodiscard]] bool has_value() const noexcept { return content_.index() == 0; }
+    [[nodiscard]] bool has_value() const noexcept { return value_.has_value(); }
     [[nodiscard]] explicit operator bool() const noexcept { return has_value(); }
 
-    [[nodiscard]] T& operator*() & noexcept { return *std::get_if<0>(&content_); }
-    [[nodiscard]] const T& operator*() const& noexcept { return *std::get_if<0>(&content_); }
-    [[nodiscard]] T&& operator*() && noexcept { return std::move(*std::get_if<0>(&content_)); }
-    [[nodiscard]] T* operator->() noexcept { return std::get_if<0>(&content_); }
-    [[nodiscard]] const T* operator->() const noexcept { return std::get_if<0>(&content_); }
+    [[nodiscard]] T& operator*() & noexcept { return *value_; }
+    [[nodiscard]] const T& operator*() const& noexcept { return *value_; }
+    [[nodiscard]] T&& operator*() && noexcept { return *std::move(value_); }
+    [[nodiscard]] T* operator->() noexcept { return &*value_; }
+    [[nodiscard]] const T* operator->() const noexcept { return &*value_; }
     template <class U>
     [[nodiscard]] T value_or(U&& other) const& {
         return has_value() ? **this : static_cast<T>(std::forward<U>(other));
     }
 
-    [[nodiscard]] Error& error() & noexcept { return *std::get_if<1>(&content_); }
-    [[nodiscard]] const Error& error() const& noexcept { return *std::get_if<1>(&content_); }
-    [[nodiscard]] Error&& error() && noexcept { return std::move(*std::get_if<1>(&content_)); }
+    [[nodiscard]] Error& error() & noexcept { return error_; }
+    [[nodiscard]] const Error& error() const& noexcept { return error_; }
+    [[nodiscard]] Error&& error() && noexcept { return std::move(error_); }
 
     /// The result of `function` for the value; the same error if there is none.
     template <class Function>
@@ -125,7 +123,8 @@ public:
     }
 
 private:
-    std::variant<T, Error> content_;
+    std::optional<T> value_;
+    Error error_; ///< empty with a value
 };
 
 /// Success without a value, or the reason for the failure.

@@ -10,6 +10,10 @@ namespace limen::visibility {
 
 namespace {
 
+/// Share of a pixel by which an edge that rounding has moved touches a pixel that it does not. Samples are on a grid of
+/// 1/256 of a pixel.
+constexpr double kTouch = 1e-6;
+
 /// NDC of the centre of pixel `i` of `count`.
 double centreOf(std::uint32_t i, std::uint32_t count) {
     return (2.0 * i + 1.0) / count - 1.0;
@@ -109,12 +113,12 @@ PixelRect scissorOf(const Rect& rect, std::uint32_t width, std::uint32_t height)
     if (!(minX <= maxX && minY <= maxY) || width == 0 || height == 0)
         return {};
     const auto low = [](double ndc, std::uint32_t count) {
-        const double pixel = std::floor((ndc + 1.0) * 0.5 * count);
+        const double pixel = std::floor((ndc + 1.0) * 0.5 * count + kTouch);
         return static_cast<std::uint32_t>(std::clamp(pixel, 0.0, count - 1.0));
     };
     const auto high = [](double ndc, std::uint32_t count) { // one beyond the last
         return static_cast<std::uint32_t>(
-            std::clamp(std::ceil((ndc + 1.0) * 0.5 * count), 1.0, static_cast<double>(count)));
+            std::clamp(std::ceil((ndc + 1.0) * 0.5 * count - kTouch), 1.0, static_cast<double>(count)));
     };
     const std::uint32_t x = low(minX, width), y = low(minY, height);
     return {x, y, std::max(high(maxX, width), x + 1) - x, std::max(high(maxY, height), y + 1) - y};
