@@ -42,7 +42,7 @@ function(limen_product name)
     add_dependencies(${target} ${target}_headers)
     target_compile_features(${target} INTERFACE cxx_std_20)
     target_link_libraries(${target} PUBLIC ${ARG_REQUIRES} PRIVATE ${ARG_LINKS})
-    set_target_properties(${target} PROPERTIES OUTPUT_NAME limen-${name} EXPORT_NAME ${name} LINKER_LANGUAGE CXX
+    set_target_properties(${target} PROPERTIES OUTPUT_NAME limen-${name} EXPORT_NAME ${name} LINKER_LANGUAGE CXX SYSTEM ON
         VERSION ${PROJECT_VERSION} SOVERSION ${LIMEN_SOVERSION})
     if(BUILD_SHARED_LIBS)
         target_compile_definitions(${target} INTERFACE LIMEN_SHARED)
@@ -71,6 +71,9 @@ function(limen_install_product name description requires private)
     write_basic_package_version_file(${PROJECT_BINARY_DIR}/limen-config-version.cmake COMPATIBILITY ${LIMEN_COMPATIBILITY})
     install(FILES ${PROJECT_BINARY_DIR}/limen-config.cmake ${PROJECT_BINARY_DIR}/limen-config-version.cmake DESTINATION ${config} COMPONENT ${name})
 
+    # A path from the .pc file, so that an installed copy may move.
+    set(pkgconfig ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+    file(RELATIVE_PATH to_prefix /${pkgconfig} /)
     list(JOIN requires " " requires)
     list(JOIN private " " private)
     set(cflags "")
@@ -84,7 +87,7 @@ function(limen_install_product name description requires private)
         set(libs_private " -lstdc++ -lm")
     endif()
     configure_file(${PROJECT_SOURCE_DIR}/cmake/limen.pc.in ${PROJECT_BINARY_DIR}/limen-${name}.pc @ONLY)
-    install(FILES ${PROJECT_BINARY_DIR}/limen-${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT ${name})
+    install(FILES ${PROJECT_BINARY_DIR}/limen-${name}.pc DESTINATION ${pkgconfig} COMPONENT ${name})
 endfunction()
 
 # While the major version is 0, a minor version may change the interface (docs/api-stability.md).
