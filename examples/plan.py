@@ -28,8 +28,8 @@ for start, end, left, right in OPENINGS:
     builder.add_opening(NAMES.index(start), NAMES.index(end), corners)
 graph, _ = builder.build()
 
-# %% The flood: an eye in the hall that looks north and a little east.
-EYE, TARGET = np.array([2.0, 1.0, 1.6]), np.array([2.4, 6.0, 1.6])
+# %% The flood: an eye in the hall that looks to the north-east.
+EYE, TARGET = np.array([1.0, 2.0, 1.6]), np.array([4.0, 8.0, 1.6])
 view = vis.look_at(EYE, TARGET, root=NAMES.index("hall"), height_degrees=60, aspect=1.5)
 flood = vis.Flood()
 flood.run(graph, view)
