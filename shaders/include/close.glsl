@@ -39,16 +39,3 @@ float exactFacetHeight(CloseTriangle t) {
     double size = length(normal);
     return size > 0.0LF ? float(dot(normal, t.a) / size) : 0.0;
 }
-
-// Depth at which the ray meets the triangle's front, edges included; negative if it does not. Two triangles with a
-// common edge evaluate exactly opposite values for it.
-float exactDepth(CloseTriangle t, vec3 direction) {
-    dvec3 ray = dvec3(direction);
-    precise double u = dot(cross(t.b, t.c), ray);
-    precise double v = dot(cross(t.c, t.a), ray);
-    precise double w = dot(cross(t.a, t.b), ray);
-    dvec3 normal = cross(t.b - t.a, t.c - t.a);
-    double height = dot(normal, t.a);
-    bool isMet = max(max(u, v), w) <= 0.0LF && u + v + w < 0.0LF && height < 0.0LF;
-    return isMet ? float(height / dot(normal, ray)) : -1.0;
-}

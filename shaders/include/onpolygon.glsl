@@ -38,6 +38,7 @@ vec3 cornerOnScreen(uint i) {
 #include "ray.glsl"
 #include "outline.glsl"
 #include "close.glsl"
+#include "closehit.glsl"
 
 // Depth interval in which the ray with this direction (view depth 1) passes within `pixels` of the polygon; empty (x >
 // y) if it does not. In the polygon's plane the ray is a line, and each outline edge within a band around it bounds the
@@ -241,7 +242,7 @@ float behindRounding(uint kind, vec3 direction, float depth) {
 Intersection intersectClose(Intersection found, Instance instance, vec3 direction) {
     bool close = isClose(vFacet.w, min(min(vOutline[0].z, vOutline[1].z), vOutline[2].z));
     for (uint turn = 0u; turn < (close ? 1u : 0u); ++turn) {
-        float depth = exactDepth(exactTriangle(vTriangle, instance), direction);
+        float depth = exactDepth(exactTriangle(vTriangle, instance), direction, windowPosition());
         found = Intersection(depth, depth > 0.0, false, true);
     }
     return found;

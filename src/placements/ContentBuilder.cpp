@@ -157,7 +157,7 @@ void setProperty(TableKey key, Template& to, std::span<const Value> row) {
         break;
     case TableKey::String:
         if (type == kNameProperty)
-            to.name = std::string(row[3].text);
+            to.name = validUtf8(row[3].text); // a text with a character set comes as its bytes
         break;
     case TableKey::DataId:
         setDataId(to, type, unsignedOf(row[3]));
@@ -206,7 +206,7 @@ Result<void> ContentBuilder::addTemplate(Row row) {
     if (!isNew)
         return refuse(fmt::format("template {} is in weenie already", id));
     entry->second.id = id;
-    entry->second.className = std::string(row[1].text);
+    entry->second.className = validUtf8(row[1].text);
     entry->second.type = signedOf(row[2]);
     return {};
 }

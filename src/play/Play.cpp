@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 
 namespace limen::play {
 namespace {
@@ -86,6 +87,9 @@ void Play::act(const PlayAct& act) {
     case PlayActKind::Go:
         goTo(Vec2(act.value, act.north));
         return;
+    case PlayActKind::Object:
+        goToObject(act.value);
+        return;
     case PlayActKind::Time:
         request_.scene.time = std::clamp(act.value, 0.0, 1.0);
         return;
@@ -157,6 +161,16 @@ void Play::goTo(std::size_t place) {
     const std::vector<world::Place>& places = session_.source().file.places;
     if (place < places.size())
         going_ = {engine::requestAt(places[place]), places[place].name};
+}
+
+/// Objects that do not exist or are not visible are ignored.
+void Play::goToObject(double guid) {
+    const engine::PlacedObjects* placed = session_.source().placed.get();
+    if (placed == nullptr || !(guid >= 0.0 && guid <= std::numeric_limits<std::uint32_t>::max()))
+        return;
+    const Result<std::optional<world::Place>> view = placed->viewOf(static_cast<std::uint32_t>(guid));
+    if (view && *view)
+        going_ = {engine::requestAt(**view), engine::nameWithoutGuid((*view)->name)};
 }
 
 /// The heading stays. Points beyond the map are ignored.

@@ -44,6 +44,7 @@ private:
     void useTravel();
     void goTo(std::size_t place);
     void goTo(const Vec2& point);
+    void goToObject(double guid);
     [[nodiscard]] Result<void> travel();
     void standAt(engine::ViewRequest view);
     [[nodiscard]] Result<void> moveEye(const PlayInput& input);

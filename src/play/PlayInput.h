@@ -23,12 +23,13 @@ enum class PlayActKind : std::uint8_t {
     Day,      ///< choose a day group: `value` is its index in the Region
     Fov,      ///< set the vertical field of view to `value` degrees
     Go,       ///< go to the ground at a point of the map: `value` and `north` are metres, global
-    Look      ///< 0: as the original draws; 1: world::Look::Enhanced
+    Look,     ///< 0: as the original draws; 1: world::Look::Enhanced
+    Object    ///< go before a placed object: `value` is its guid in the world.db
 };
 
 /// A one-shot action of the player, in one frame.
 struct PlayAct {
-    static constexpr std::size_t kKinds = 14;
+    static constexpr std::size_t kKinds = 15;
     PlayActKind kind = PlayActKind::Walk;
     double value = 0.0;
     double north = 0.0; ///< of Go: metres from the map's south-west corner; `value` is the metres to the east

@@ -19,8 +19,8 @@ using WalkJson = nlohmann::json;
 
 constexpr std::size_t kLimit = std::size_t{1} << 30; ///< bytes, enough for days of walking
 constexpr std::array<const char*, PlayAct::kKinds> kActNames{
-    "walk",      "chase",    "doors",   "use", "weather", "place", "time",
-    "all_doors", "distance", "quality", "day", "fov",     "go",    "look"};
+    "walk",     "chase",   "doors", "use", "weather", "place", "time",  "all_doors",
+    "distance", "quality", "day",   "fov", "go",      "look",  "object"};
 
 /// Visits the numbers and flags of an input by name, for reading and writing. Fields that are 0 or false are
 /// omitted.

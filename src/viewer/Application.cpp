@@ -84,6 +84,8 @@ void Application::press(Action action) {
         return toggle(Page::Map);
     case Action::Photo:
         return toggle(Page::Photo);
+    case Action::Search:
+        return toggle(Page::Places);
     case Action::Screenshot:
         if (photo_)
             photo_->take();
@@ -215,6 +217,9 @@ void Application::drawOverlay() {
                            .gameDirectories = options_.gameDirectories,
                            .places =
                                world_ ? std::span(world_->session().source().file.places) : std::span(none),
+                           .objects = objects_,
+                           .hasObjects = world_ && world_->session().source().placed != nullptr,
+                           .eye = world_ ? world_->request().camera.eye : Vec3(0.0),
                            .worldName = world_ ? nameOfWorld(directory_) : std::string(),
                            .version = options_.version,
                            .driver = world_ ? world_->session().driver() : std::string(),
@@ -249,10 +254,28 @@ void Application::take(const PageChoice& choice) {
         takeUiScale(*choice.uiScale);
     if (choice.place && world_)
         world_->act({play::PlayActKind::Place, static_cast<double>(*choice.place)});
+    if (choice.object && world_)
+        world_->act({play::PlayActKind::Object, static_cast<double>(*choice.object)});
+    if (choice.searches)
+        searchObjects(*choice.searches);
     if (choice.event)
         go(*choice.event);
     if (choice.opens)
         open(*choice.opens);
+}
+
+void Application::searchObjects(const std::string& text) {
+    constexpr std::size_t kMostShown = 50;
+    objects_.clear();
+    const engine::PlacedObjects* placed = world_ ? world_->session().source().placed.get() : nullptr;
+    if (placed == nullptr || text.size() < kLeastSearched)
+        return;
+    Result<std::vector<engine::FoundObject>> found =
+        placed->search(text, world_->request().camera.eye, kMostShown);
+    if (found)
+        objects_ = std::move(*found);
+    else
+        notes_.push_back(found.error().message());
 }
 
 /// A choice in the window wins over the command line.

@@ -133,6 +133,7 @@ private:
     /// Shows the world in the look of the settings. Requires a world.
     void showLook();
     void takeScale(const ScaleWish& wish);
+    void searchObjects(const std::string& text);
     void keepSettings();
     void notice(std::string text);
 
@@ -147,6 +148,7 @@ private:
     ViewerKeys keys_;
     std::optional<Rebinding> rebinding_; ///< set while waiting for a key
     std::unique_ptr<WorldView> world_;
+    std::vector<engine::FoundObject> objects_; ///< the result of the last search
     MapPage map_;
     bool isMapShown_ = false;
     PictureScale scale_;

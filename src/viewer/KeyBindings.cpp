@@ -44,6 +44,8 @@ constexpr std::array<ActionFacts, kActions> kFacts{{
     {"capture", When::Always, "capture or release the mouse", {"Tab", ""}},
     {"map", When::Always, "show the map", {"M", ""}},
     {"photo", When::Always, "photo mode", {"P", ""}},
+    {"search", When::Always, "search places, people and things by name", {"/", "F"}},
+    {"names", When::Always, "show or hide the names of people and things", {"N", ""}},
     {"leave", When::Always, "menu (quit is there)", {"Escape", ""}},
     {"place_1", When::Always, "go to the first place", {"1", ""}},
     {"place_2", When::Always, "go to the second place", {"2", ""}},

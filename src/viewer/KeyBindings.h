@@ -43,6 +43,8 @@ enum class Action : std::uint8_t {
     Capture,
     Map,
     Photo,
+    Search,
+    Names,
     Menu,
     Place1,
     Place2,

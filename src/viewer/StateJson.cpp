@@ -33,6 +33,14 @@ nlohmann::ordered_json fatesJson(std::span<const PortalTrace> portals) {
     return json;
 }
 
+/// The shown names, the nearest first.
+nlohmann::ordered_json namesJson(std::span<const NameTag> names) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const NameTag& tag : names)
+        json.push_back(tag.name);
+    return json;
+}
+
 nlohmann::ordered_json pageJson(const Application& application) {
     const LoadingFacts loading = application.loading();
     nlohmann::ordered_json items = nlohmann::ordered_json::object();
@@ -103,6 +111,7 @@ nlohmann::ordered_json worldJson(const WorldView& view) {
               {"depth", view.switches().depth},
               {"regions", view.switches().regions},
               {"portals", view.switches().portals},
+              {"names", view.switches().names},
               {"panel", view.switches().panel}}},
             {"walking", view.walk().isOn()},
             {"chased", view.walk().isChased()},
@@ -116,6 +125,7 @@ nlohmann::ordered_json worldJson(const WorldView& view) {
             {"loaded", {session.part().target.centre.x, session.part().target.centre.y}},
             {"going_to", view.goingTo()},
             {"door", view.doorInReach()},
+            {"names", namesJson(view.names())},
             {"gl_calls", session.figures().glCalls}};
 }
 

@@ -136,6 +136,9 @@ bool WorldView::press(Action action) {
     case Action::Portals:
         switches_.portals = !switches_.portals;
         return true;
+    case Action::Names:
+        switches_.names = !switches_.names;
+        return true;
     case Action::Panel:
         switches_.panel = !switches_.panel;
         return true;
@@ -288,6 +291,9 @@ void WorldView::drawImages(Overlay& overlay, const PanelFacts& facts) const {
 std::optional<ScaleWish> WorldView::drawOverlay(Ui& ui, Overlay& overlay, const KeyBindings& bindings,
                                                 const ScaleFacts& scale) {
     const std::optional<std::size_t> door = play_.doorInReach();
+    names_ = switches_.names ? nameTags(session_->part().world, session_->dynamics(), session_->visible(),
+                                        engine::viewOf(request().camera, request().size, request().root))
+                             : std::vector<NameTag>{};
     const ResidencyMap blocks = switches_.panel ? residency() : ResidencyMap{};
     const PanelFacts facts{.world = session_->part().world,
                            .request = request(),
@@ -302,6 +308,7 @@ std::optional<ScaleWish> WorldView::drawOverlay(Ui& ui, Overlay& overlay, const 
                            .verdict = verdict_ ? &*verdict_ : nullptr,
                            .frozen = frozen_ ? &*frozen_ : nullptr,
                            .portals = portals_,
+                           .names = names_,
                            .residency = blocks,
                            .quality = session_->options().quality,
                            .scale = scale,
@@ -311,6 +318,7 @@ std::optional<ScaleWish> WorldView::drawOverlay(Ui& ui, Overlay& overlay, const 
                            .bindings = bindings};
     drawImages(overlay, facts);
     panel::drawLines(facts, switches_);
+    panel::drawNames(names_);
     panel::drawDoor(facts);
     if (!switches_.panel)
         return std::nullopt;

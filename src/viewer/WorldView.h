@@ -74,6 +74,8 @@ public:
     [[nodiscard]] const engine::Session& session() const { return *session_; }
     [[nodiscard]] engine::StreamedResidency& stream() { return stream_; }
     [[nodiscard]] const OverlaySwitches& switches() const { return switches_; }
+    /// Names over the picture; empty unless shown.
+    [[nodiscard]] const std::vector<NameTag>& names() const { return names_; }
     [[nodiscard]] const std::optional<engine::Picked>& picked() const { return picked_; }
     [[nodiscard]] const std::optional<ViewVerdict>& verdict() const { return verdict_; }
     [[nodiscard]] const play::WalkingBody& walk() const { return play_.walk(); }
@@ -119,6 +121,7 @@ private:
     double sceneMs_ = 0.0;
     std::vector<play::PlayAct> acts_; ///< of the next frame
     OverlaySwitches switches_;
+    std::vector<NameTag> names_; ///< as shown in this frame
     std::optional<engine::Picked> picked_;
     ViewCheck viewCheck_;
     bool wantsCheck_ = false, hasStepped_ = false;

@@ -40,6 +40,21 @@ TEST(IdTable, tellsEveryIdApart) {
     EXPECT_EQ(table.meaning(0xFFFFFFFF).kind, "unknown");
 }
 
+TEST(IdTable, particlesHaveIdsInTheDynamicStateOnly) {
+    const world::World world = smallWorld();
+    const IdTable table(world);
+    world::DynamicState dynamics;
+    world::Instance particle = world.instances.back();
+    particle.idBase = 1000;
+    particle.kind = world::InstanceKind::Dynamic;
+    dynamics.instances.push_back(particle);
+    ASSERT_EQ(table.meaning(1000).kind, "unknown");
+    EXPECT_EQ(table.meaning(1000, dynamics).kind, "dynamic");
+    EXPECT_EQ(table.meaning(1000, dynamics).record, dat::idText(particle.record));
+    const std::uint32_t polygons = world.meshes[particle.mesh].polygonCount;
+    EXPECT_EQ(table.meaning(1000 + polygons, dynamics).kind, "unknown");
+}
+
 TEST(FrameReport, hasTheAgreedShape) {
     const std::vector<std::uint32_t> ids{0, 1, 4, 4, 2, 0};
     const auto json = reportOf(ids);

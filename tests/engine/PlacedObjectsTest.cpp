@@ -1,6 +1,8 @@
 #include "engine/placed/PlacedObjects.h"
 #include "engine/placed/RowsOfWorldFile.h"
 
+#include "support/TemporaryDirectory.h"
+
 #include <gmock/gmock.h>
 
 // Rows of a world database as entries for the loader, and entries of world.json as rows.
@@ -131,6 +133,82 @@ TEST(PlacedEntry, isPassableIfItIsEthereal) {
     of.physicsState = 0;
     of.ethereal = true;
     EXPECT_FALSE(entryOf(of, standingAt(0x01010001)).stopsBodies);
+}
+
+/// A world.db of three smiths, one of them hidden, a portal, and an object without a template.
+class PlacedSearch : public ::testing::Test {
+protected:
+    void SetUp() override {
+        placements::Content content;
+        content.templates[1] = of(1, "Smith", 10);
+        content.templates[2] = of(2, "Hidden Blacksmith", 10);
+        content.templates[2].visibility = true; // the property says that it is invisible
+        content.templates[3] = of(3, "Gateway", 7);
+        add(content, 1, 0xA9B40001, 10.0f);
+        add(content, 1, 0xA9B40105, 100.0f);
+        add(content, 2, 0xA9B40001, 20.0f);
+        add(content, 3, 0xAAB40002, 5.0f);
+        add(content, 99, 0xA9B40001, 30.0f);
+        const auto path = directory_ / placements::kWorldDbName;
+        ASSERT_TRUE(placements::writeWorldDb(path, content, {"the test", ""}));
+        Result<placements::WorldDb> database = placements::WorldDb::open(path);
+        ASSERT_TRUE(database);
+        placed_.emplace(std::move(*database));
+    }
+    [[nodiscard]] const PlacedObjects& placed() const { return *placed_; }
+
+    static constexpr std::uint32_t kFirstGuid = 0x70000000;
+
+private:
+    static Template of(std::uint32_t id, const std::string& name, std::int32_t type) {
+        Template made;
+        made.id = id;
+        made.name = name;
+        made.type = type;
+        made.setup = 0x02000001;
+        return made;
+    }
+    void add(placements::Content& content, std::uint32_t of, std::uint32_t cell, float x) {
+        content.landblocks[cell >> 16].placements.push_back(
+            {kFirstGuid + count_++, of, {cell, {x, 20.0f, 30.0f}, {1.0f, 0.0f, 0.0f, 0.0f}}, false});
+    }
+
+    test::TemporaryDirectory directory_;
+    std::optional<PlacedObjects> placed_;
+    std::uint32_t count_ = 0;
+};
+
+TEST_F(PlacedSearch, findsVisibleObjectsTheNearestFirst) {
+    const Vec3 from(0xA9 * 192.0 + 90.0, 0xB4 * 192.0 + 20.0, 0.0);
+    const Result<std::vector<FoundObject>> found = placed().search("SMITH", from, 10);
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), 2u) << "the hidden one is not found";
+    EXPECT_EQ((*found)[0], (FoundObject{kFirstGuid + 1, "Smith", "creature",
+                                        Vec3(0xA9 * 192.0 + 100.0, 0xB4 * 192.0 + 20.0, 30.0), 0xA9B40105}));
+    EXPECT_EQ((*found)[1].guid, kFirstGuid);
+    EXPECT_EQ((*found)[1].cell, 0u) << "outdoors";
+    EXPECT_EQ(placed().search("smith", from, 1)->size(), 1u);
+    EXPECT_TRUE(placed().search("", from, 10)->empty());
+    EXPECT_TRUE(placed().search("nobody", from, 10)->empty());
+}
+
+TEST_F(PlacedSearch, yieldsAViewOfAnObjectByItsGuid) {
+    const Result<std::optional<world::Place>> view = placed().viewOf(kFirstGuid + 1);
+    ASSERT_TRUE(view && *view);
+    EXPECT_EQ((*view)->cell, 0xA9B40105u);
+    EXPECT_NEAR(glm::distance(Vec2((*view)->eye), Vec2(0xA9 * 192.0 + 100.0, 0xB4 * 192.0 + 20.0)), 1.5,
+                1e-6);
+    EXPECT_EQ(nameWithoutGuid((*view)->name), "Smith");
+    EXPECT_EQ(*placed().viewOf(kFirstGuid + 2), std::nullopt) << "hidden";
+    EXPECT_EQ(*placed().viewOf(kFirstGuid + 4), std::nullopt) << "without a template";
+    EXPECT_EQ(*placed().viewOf(std::uint32_t{1}), std::nullopt);
+}
+
+TEST_F(PlacedSearch, yieldsThePositionsOfAType) {
+    const Result<std::vector<Vec3>> portals = placed().positionsOf(placements::TemplateType::Portal);
+    ASSERT_TRUE(portals);
+    EXPECT_EQ(*portals, std::vector{Vec3(0xAA * 192.0 + 5.0, 0xB4 * 192.0 + 20.0, 30.0)});
+    EXPECT_TRUE(placed().positionsOf(placements::TemplateType::Chest)->empty());
 }
 
 TEST(RowsOfWorldFile, doorsAndPeopleComeBackAsEntries) {

@@ -189,12 +189,12 @@ private:
     Eye anywhereInACell() {
         const world::Space& cell = anyOf(world_.spaces, 1);
         const Aabb& box = cell.bounds;
-        return {box.min + (box.max - box.min) * Vec3(unit(), unit(), unit()),
+        return {box.min + (box.max - box.min) * Vec3{unit(), unit(), unit()},
                 static_cast<world::SpaceIndex>(&cell - world_.spaces.data())};
     }
     Eye anywhereOutside() {
         const Vec3 corner = anyOf(world_.blocks, 0).origin();
-        Vec3 at = corner + Vec3(unit(), unit(), 0.0) * world::kBlockSize;
+        Vec3 at = corner + Vec3{unit(), unit(), 0.0} * world::kBlockSize;
         at.z = world::terrainHeight(world_, at.x, at.y) + 0.3 + unit() * 12.0;
         return {at};
     }
@@ -296,6 +296,14 @@ const OnceWrong kOnceWrong[] = {
      320,
      180,
      60.0},
+    {"the edge between a triangle computed in double and one in floats, 20 cm away",
+     {32555.233285655613, 34674.621810177821, 32.181079635096808},
+     96.856365230246638,
+     -34.069199837287002,
+     0xA9B4010B,
+     30.0,
+     56,
+     32},
 };
 
 TEST_P(BuiltInWorld, viewsThatWereWrongAreClean) {

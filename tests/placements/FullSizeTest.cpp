@@ -136,6 +136,16 @@ TEST(FullSizeWorld, isImportedWithinTwoMinutes) {
     EXPECT_EQ(standing, kLandblocks + kLinks) << "one parent for each landblock, and its children";
     EXPECT_LT(aBlock, 0.005) << "a flight at 50 m/s crosses a row of 9 landblocks in 3.8 s";
     // Processor time, because other programs run beside the test. The import has one thread.
+    const auto searchSeconds = [&](const std::string& name, std::optional<std::int32_t> type) {
+        const double beforeSearch = processorSeconds();
+        const auto found = file->search(name, type, 100'000);
+        EXPECT_TRUE(found && !found->empty()) << name;
+        return processorSeconds() - beforeSearch;
+    };
+    const double rare = searchSeconds("KIND 4321", {}), doors = searchSeconds({}, 19);
+    fmt::print("search of one name {:.0f} ms, of all doors {:.0f} ms\n", rare * 1e3, doors * 1e3);
+    EXPECT_LT(rare, 0.25) << "a search for each letter that is typed";
+    EXPECT_LT(doors, 2.0) << "once for each world whose map is opened";
     EXPECT_LT(used, 120.0);
 }
 

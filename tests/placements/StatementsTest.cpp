@@ -198,6 +198,17 @@ TEST(Statements, aDeleteRemovesTheRowsAndThoseThatReferToThem) {
     EXPECT_TRUE(content->landblocks.empty());
 }
 
+TEST(Statements, textsAreUtf8WhateverTheirCharacterSet) {
+    const Result<Content> content =
+        contentOf("INSERT INTO `weenie` (`class_Id`, `class_Name`, `type`, `last_Modified`)\n"
+                  "VALUES (5, _binary 'a\xA0', 19, '2020-01-01 00:00:00');\n"
+                  "INSERT INTO `weenie_properties_string` (`object_Id`, `type`, `value`) VALUES (5, 1, "
+                  "_latin1 'b\xFF');");
+    ASSERT_TRUE(content.has_value()) << content.error().message();
+    EXPECT_EQ(content->templates.at(5).className, "a\uFFFD");
+    EXPECT_EQ(content->templates.at(5).name, "b\uFFFD");
+}
+
 TEST(Statements, minusZeroIsZero) {
     const Result<Content> content =
         contentOf(instance("1, 5, 0xC0010100, -0, -0.0, -0e0, 1, 0, 0, 0, False, ''"));

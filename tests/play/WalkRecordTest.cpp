@@ -58,7 +58,7 @@ TEST(WalkRecord, everyActHasAName) {
     const Result<WalkRecord> walk = parseWalk(beginningLine("") + frameLine(frame), "w");
     ASSERT_TRUE(walk);
     EXPECT_EQ(walk->frames[0].input.acts, frame.input.acts);
-    EXPECT_EQ(static_cast<std::size_t>(PlayActKind::Look) + 1, PlayAct::kKinds);
+    EXPECT_EQ(static_cast<std::size_t>(PlayActKind::Object) + 1, PlayAct::kKinds);
 }
 
 TEST(WalkRecord, aPointOfTheMapHasTwoNumbers) {

@@ -66,6 +66,51 @@ class MapPhoto(WindowTest):
             view.until(lambda s: s["root"].startswith("0x"), "the hall")
             self.assertEqual(view.leave()[0], 0)
 
+    def world_with_people(self):
+        """The built-in world, whose doors and people stand in a world.db."""
+        def limen(*arguments):
+            done = subprocess.run([PROGRAM, *arguments], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        limen("demo", "-o", "placed")
+        limen("world", "export", "--dat", "placed", "--as", "sql", "-o", "rows")
+        limen("world", "import", "rows", "--dat", "placed")
+        with open(self.path("placed/world.json")) as file:
+            world = json.load(file)
+        world.update(doors=[], villagers=[])
+        with open(self.path("placed/world.json"), "w") as file:
+            json.dump(world, file)
+
+    def test_a_person_is_searched_named_and_marked_and_the_walk_comes_out_the_same_again(self):
+        self.world_with_people()
+        with self.open("--dat", "placed", "--record", "walk") as view:
+            view.press("slash")
+            view.page("places")
+            view.do("type", "innkeep")
+            label = next(name for name in view.until(lambda s: any(n.startswith("innkeeper") for n in s["items"]), "the innkeeper")["items"]
+                         if name.startswith("innkeeper"))
+            self.assertRegex(label, r"^innkeeper   creature, \d+ m, indoors$")
+            view.press("Return")
+            view.page("world")
+            view.until(lambda s: s["root"].startswith("0x"), "the inn")
+            self.assertEqual(view.latest()["names"], [])
+            view.press("n")
+            self.assertEqual(view.until(lambda s: s["names"], "names")["names"][0], "innkeeper")
+            view.press("n")
+            view.until(lambda s: not s["names"], "no names")
+            view.press("m")
+            view.page("map")
+            view.until(lambda s: "doors" in s["items"], "the switch of the doors' marks")
+            self.assertNotIn("portals", view.state["items"], "this world has none")
+            view.press("Escape")
+            view.page("world")
+            self.assertEqual(view.leave()[0], 0)
+        with open(self.path("walk")) as file:
+            acts = [act for line in file for act in json.loads(line).get("acts", [])]
+        self.assertIn("object", [act[0] for act in acts])
+        again = subprocess.run([PROGRAM, "probe", "--dat", "placed", "--walk", "walk"], env=self.env, cwd=self.work.name, capture_output=True, text=True, timeout=240)
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("differs", again.stderr)
+
     def test_large_letters_in_a_small_window_leave_every_control_in_reach(self):
         with self.open("--ui-scale", "2") as view:
             width, height = view.latest()["size"]

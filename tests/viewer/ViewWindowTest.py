@@ -222,10 +222,10 @@ class ViewWindow(WindowTest):
     def test_keys_are_those_of_the_file_and_change_in_the_window(self):
         keys = self.path("keys.json")
         with open(keys, "w") as file:
-            json.dump({"rain": "N"}, file)
+            json.dump({"rain": "K"}, file)
         with Followed(self, "--keys", keys, "--at", "cottage.room", size="800x600") as view:
             view.press("r")
-            view.press("n")
+            view.press("k")
             view.until(lambda s: s["weather"] == "rain", "rain by the key of the file")
             view.press("F1")
             view.page("controls")
@@ -236,9 +236,9 @@ class ViewWindow(WindowTest):
             self.ask("click", "1")
             self.assertEqual(view.until(lambda s: s["rebinding"], "a key is waited for")["rebinding"], "use")
             view.press("h")
-            view.until(lambda s: s["keys"] == {"use": ["H"], "rain": ["N"]}, "the new key")
+            view.until(lambda s: s["keys"] == {"use": ["H"], "rain": ["K"]}, "the new key")
             with open(keys) as file:
-                self.assertEqual(json.load(file), {"use": ["H"], "rain": ["N"]})
+                self.assertEqual(json.load(file), {"use": ["H"], "rain": ["K"]})
             self.assertEqual(view.leave()[0], 0)
 
     def test_a_keys_file_that_is_wrong_is_refused_in_a_line(self):
@@ -305,7 +305,7 @@ class ViewWindow(WindowTest):
                 self.wait(0.4)
 
         state = self.drive(press)
-        self.assertEqual(state["overlays"], {"ids": True, "depth": True, "regions": True, "portals": True, "panel": True})
+        self.assertEqual(state["overlays"], {"ids": True, "depth": True, "regions": True, "portals": True, "names": False, "panel": True})
         self.assertEqual(state["page"], "controls")
 
     @patiently

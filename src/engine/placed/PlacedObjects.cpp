@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -38,14 +39,6 @@ Vec3 globalOf(const placements::Spot& spot) {
 world::TravelEntry travelOf(const placements::Spot& spot) {
     const Vec3 ahead = orientationOf(spot) * Vec3(0.0, 1.0, 0.0); // +y is north
     return {indoorCellOf(spot), globalOf(spot), std::atan2(ahead.x, ahead.y) * 180.0 / std::numbers::pi};
-}
-
-/// A name without a guid of eight hexadecimal digits at its end.
-std::string withoutGuid(const std::string& name) {
-    constexpr std::size_t kGuid = 9; // with the blank before it
-    const bool hasGuid = name.size() > kGuid && name[name.size() - kGuid] == ' ' &&
-                         name.find_last_not_of("0123456789ABCDEFabcdef") == name.size() - kGuid;
-    return hasGuid ? name.substr(0, name.size() - kGuid) : name;
 }
 
 bool isSameText(const std::string& a, const std::string& b) {
@@ -154,10 +147,70 @@ const Template* PlacedObjects::find(std::uint32_t id) const {
     return entry->second ? &*entry->second : nullptr;
 }
 
+std::string nameWithoutGuid(const std::string& name) {
+    constexpr std::size_t kGuid = 9; // with the blank before it
+    const bool hasGuid = name.size() > kGuid && name[name.size() - kGuid] == ' ' &&
+                         name.find_last_not_of("0123456789ABCDEFabcdef") == name.size() - kGuid;
+    return hasGuid ? name.substr(0, name.size() - kGuid) : name;
+}
+
+std::optional<world::Place> PlacedObjects::viewOfPlacement(const placements::Placement& placement) const {
+    const Template* of = find(placement.templateId);
+    if (of == nullptr || !isVisible(*of))
+        return {};
+    const placements::Standing standing{placement.guid, of->id, placement.spot, false, {}, {}};
+    return viewBefore(placedEntry(standing, *of, [this](std::uint32_t id) { return find(id); }));
+}
+
+Result<std::optional<world::Place>> PlacedObjects::viewOf(std::uint32_t guid) const {
+    const Result<std::optional<placements::Placement>> found = database_.findPlacement(guid);
+    if (!found)
+        return Failure(found.error());
+    const std::lock_guard guard(lock_);
+    std::optional<world::Place> view = *found ? viewOfPlacement(**found) : std::nullopt;
+    return fault_.map([&] { return std::move(view); });
+}
+
+Result<std::vector<FoundObject>> PlacedObjects::search(const std::string& name, const Vec3& from,
+                                                       std::size_t limit) const {
+    constexpr std::size_t kMostCompared = 100'000;
+    if (name.empty())
+        return std::vector<FoundObject>();
+    const Result<std::vector<placements::Found>> found = database_.search(name, std::nullopt, kMostCompared);
+    if (!found)
+        return Failure(found.error());
+    std::vector<std::pair<double, std::size_t>> nearest; // metres along the ground
+    for (std::size_t i = 0; i < found->size(); ++i)
+        nearest.emplace_back(glm::distance(Vec2(globalOf((*found)[i].placement.spot)), Vec2(from)), i);
+    std::sort(nearest.begin(), nearest.end());
+    std::vector<FoundObject> objects;
+    const std::lock_guard guard(lock_);
+    for (const auto& [distance, i] : nearest) {
+        if (objects.size() == limit)
+            break;
+        const placements::Found& one = (*found)[i];
+        const Template* of = find(one.placement.templateId);
+        if (of != nullptr && isVisible(*of))
+            objects.push_back({one.placement.guid, one.name, placements::typeName(one.type),
+                               globalOf(one.placement.spot), indoorCellOf(one.placement.spot)});
+    }
+    return fault_.map([&] { return std::move(objects); });
+}
+
+Result<std::vector<Vec3>> PlacedObjects::positionsOf(placements::TemplateType type) const {
+    return database_.search({}, static_cast<std::int32_t>(type), std::numeric_limits<std::size_t>::max())
+        .map([](const std::vector<placements::Found>& found) {
+            std::vector<Vec3> positions;
+            for (const placements::Found& one : found)
+                positions.push_back(globalOf(one.placement.spot));
+            return positions;
+        });
+}
+
 Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& name) const {
     constexpr std::size_t kMostFound = 1000;
     Result<std::vector<placements::Found>> found =
-        database_.search(withoutGuid(name), std::nullopt, kMostFound);
+        database_.search(nameWithoutGuid(name), std::nullopt, kMostFound);
     if (!found)
         return Failure(found.error());
     // The object itself, then those whose whole name is the text, then those whose name contains it.
@@ -171,15 +224,10 @@ Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& nam
                          return std::tuple(rank(a), a.placement.guid) < std::tuple(rank(b), b.placement.guid);
                      });
     const std::lock_guard guard(lock_);
-    const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
-    for (const placements::Found& one : *found) {
-        const bool isNamed = rank(one) < 2 || withoutGuid(name) == name;
-        const Template* of = isNamed ? find(one.placement.templateId) : nullptr;
-        if (of == nullptr || !isVisible(*of))
-            continue;
-        const placements::Standing standing{one.placement.guid, of->id, one.placement.spot, false, {}, {}};
-        return viewBefore(placedEntry(standing, *of, findTemplate));
-    }
+    for (const placements::Found& one : *found)
+        if (rank(one) < 2 || nameWithoutGuid(name) == name)
+            if (std::optional<world::Place> view = viewOfPlacement(one.placement))
+                return view;
     return fault_.map([] { return std::optional<world::Place>(); });
 }
 

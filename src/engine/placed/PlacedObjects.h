@@ -10,6 +10,19 @@
 
 namespace limen::engine {
 
+/// A visible object that a search found.
+struct FoundObject {
+    std::uint32_t guid = 0;
+    std::string name;       ///< of its template
+    std::string type;       ///< for people: "door"
+    Vec3 position{0.0};     ///< global, metres
+    dat::RecordId cell = 0; ///< 0: outdoors
+    friend bool operator==(const FoundObject&, const FoundObject&) = default;
+};
+
+/// The name of a placed object without its guid, as people call it.
+[[nodiscard]] std::string nameWithoutGuid(const std::string& name);
+
 /// The placed objects of an open world.db, as entries for the loader. Safe on several threads.
 class PlacedObjects {
 public:
@@ -24,9 +37,22 @@ public:
     /// there is no such object. Errors: a damaged database.
     [[nodiscard]] Result<std::optional<world::Place>> viewOf(const std::string& name) const;
 
+    /// The same of the object with a guid.
+    [[nodiscard]] Result<std::optional<world::Place>> viewOf(std::uint32_t guid) const;
+
+    /// Visible objects whose template's name contains a text, at most `limit`, the nearest to `from` first (global, metres,
+    /// along the ground). Letter case of ASCII does not matter. An empty text finds nothing. Errors: a damaged database.
+    [[nodiscard]] Result<std::vector<FoundObject>> search(const std::string& name, const Vec3& from,
+                                                          std::size_t limit) const;
+
+    /// The position of every placed object of a type, visible or not, global. Errors: a damaged database.
+    [[nodiscard]] Result<std::vector<Vec3>> positionsOf(placements::TemplateType type) const;
+
     [[nodiscard]] const placements::WorldDb& database() const { return database_; }
 
 private:
+    /// Requires the lock. None: it is not visible.
+    [[nodiscard]] std::optional<world::Place> viewOfPlacement(const placements::Placement& placement) const;
     [[nodiscard]] Result<void> addBlock(dat::BlockCoord block, std::vector<world::PlacedEntry>& out) const;
     /// Null: there is no such template, or the database is damaged (`fault_` then says so).
     [[nodiscard]] const placements::Template* find(std::uint32_t id) const;

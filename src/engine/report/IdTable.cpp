@@ -15,6 +15,16 @@ std::uint32_t polygonCount(const world::World& world, const world::Instance& ins
     return instance.mesh < world.meshes.size() ? world.meshes[instance.mesh].polygonCount : 0;
 }
 
+/// The dynamic instance that an id belongs to; null: none.
+const world::Instance* instanceIn(const world::World& world, const world::DynamicState& dynamics,
+                                  std::uint32_t id) {
+    const auto found = std::find_if(
+        dynamics.instances.begin(), dynamics.instances.end(), [&](const world::Instance& instance) {
+            return id >= instance.idBase && id - instance.idBase < polygonCount(world, instance);
+        });
+    return found == dynamics.instances.end() ? nullptr : &*found;
+}
+
 } // namespace
 
 std::string spaceName(const world::World& world, world::SpaceIndex space) {
@@ -47,12 +57,11 @@ IdMeaning IdTable::meaning(std::uint32_t id, const world::DynamicState& dynamics
         return {"none", "void", dat::idText(0), "", 0};
     if (id == kSkyPixel)
         return {"outside", "sky", dat::idText(0), "", 0};
-    const world::Instance* known = instance(id);
+    const world::Instance* moving = instanceIn(world_, dynamics, id);
+    const world::Instance* known = moving != nullptr ? moving : instance(id);
     if (known == nullptr)
         return {"none", "unknown", dat::idText(0), "", id};
-    const auto here = std::find_if(dynamics.instances.begin(), dynamics.instances.end(),
-                                   [&](const world::Instance& i) { return i.idBase == known->idBase; });
-    const world::Instance& found = here != dynamics.instances.end() ? *here : *known;
+    const world::Instance& found = *known;
     const std::uint32_t number = id - found.idBase;
     LIMEN_ASSERT(found.mesh < world_.meshes.size(), "the dynamic state is of this world");
     const std::size_t info = world_.meshes[found.mesh].firstPolygonInfo + std::size_t{number};

@@ -28,7 +28,7 @@ class IdTable {
 public:
     explicit IdTable(const world::World& world);
     /// An id that belongs to no instance has the kind "unknown" and the space "none". Dynamic instances are
-    /// in the space that `dynamics` gives.
+    /// in the space that `dynamics` gives; particles have ids in `dynamics` only.
     [[nodiscard]] IdMeaning meaning(std::uint32_t id, const world::DynamicState& dynamics = {}) const;
     /// The instance that an id belongs to, from World::instances or World::movingParts; null: none.
     [[nodiscard]] const world::Instance* instance(std::uint32_t id) const;

@@ -19,12 +19,19 @@ ImVec2 screen(const Vec2& at) {
     return {static_cast<float>(at.x), static_cast<float>(at.y)};
 }
 
-void outlinedText(const ImVec2& at, const char* text) {
-    ImDrawList* list = ImGui::GetWindowDrawList();
-    for (const ImVec2& by : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)})
-        list->AddText({at.x + by.x, at.y + by.y}, kMapShadow, text);
-    list->AddText(at, kMapInk, text);
-}
+/// Objects of a world.db that the map marks.
+struct MarkKind {
+    placements::TemplateType type;
+    const char* label;
+    ImU32 ink;
+    double mostMetresPerUnit; ///< in a view of more ground they are not shown
+};
+constexpr double kEveryView = 1e9;
+constexpr std::array<MarkKind, 3> kMarkKinds{{
+    {placements::TemplateType::Portal, "portals", IM_COL32(190, 110, 255, 255), kEveryView},
+    {placements::TemplateType::Lifestone, "lifestones", IM_COL32(90, 200, 255, 255), kEveryView},
+    {placements::TemplateType::Door, "doors", IM_COL32(230, 170, 90, 255), 1.0},
+}};
 
 } // namespace
 
@@ -36,6 +43,7 @@ void MapPage::takeMap(const MapFacts& facts) {
         source_ = facts.source;
         revision_ = 0;
         isFitted_ = false;
+        takeMarks();
         work_ = std::make_unique<engine::MapInBackground>(source_);
     }
     if (std::shared_ptr<const engine::LandscapeMap> changed = work_->since(revision_)) {
@@ -43,6 +51,14 @@ void MapPage::takeMap(const MapFacts& facts) {
         texture_.write(*map_);
         places_ = engine::placesOnMap(source_->file.places, *map_);
     }
+}
+
+void MapPage::takeMarks() {
+    static_assert(kMarkKinds.size() == kMarkKindCount);
+    marks_ = {};
+    for (std::size_t kind = 0; kind < kMarkKinds.size() && source_->placed != nullptr; ++kind)
+        if (Result<std::vector<Vec3>> at = source_->placed->positionsOf(kMarkKinds[kind].type))
+            marks_[kind].points.assign(at->begin(), at->end());
 }
 
 MapChoice MapPage::draw(Ui& ui, const MapFacts& facts, bool isNew) {
@@ -111,6 +127,7 @@ void MapPage::drawMap(Ui& ui, const MapFacts& facts, MapChoice& choice) {
     const Vec2 opposite = view_.screenAt(box_, {map_->northEast().x, map_->southWest().y});
     list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_.name())),
                    screen(corner), screen(opposite));
+    drawObjects();
     drawPlaceNames(source_->file.places);
     drawMarks(facts); // the eye is on top
     list->PopClipRect();
@@ -178,6 +195,34 @@ void MapPage::drawMarks(const MapFacts& facts) {
     list->AddPolyline(arrow.data(), static_cast<int>(arrow.size()), kMapShadow, ImDrawFlags_Closed, 1.5f);
 }
 
+void MapPage::drawObjects() {
+    ImDrawList* list = ImGui::GetWindowDrawList();
+    const float radius = uiLength(2.5f);
+    for (std::size_t kind = 0; kind < kMarkKinds.size(); ++kind) {
+        if (!marks_[kind].isShown || view_.metresPerUnit > kMarkKinds[kind].mostMetresPerUnit)
+            continue;
+        for (const Vec2& point : marks_[kind].points) {
+            const Vec2 dot = view_.screenAt(box_, point);
+            if (dot.x < box_.x || dot.y < box_.y || dot.x >= box_.x + box_.width ||
+                dot.y >= box_.y + box_.height)
+                continue;
+            list->AddCircleFilled(screen(dot), radius + 1.0f, kMapShadow, 8);
+            list->AddCircleFilled(screen(dot), radius, kMarkKinds[kind].ink, 8);
+        }
+    }
+}
+
+/// Switches for the kinds of marks that this world has.
+void MapPage::drawSwitches(Ui& ui) {
+    for (std::size_t kind = 0; kind < kMarkKinds.size(); ++kind) {
+        if (marks_[kind].points.empty())
+            continue;
+        ImGui::PushStyleColor(ImGuiCol_CheckMark, kMarkKinds[kind].ink);
+        ui.checkbox(kMarkKinds[kind].label, marks_[kind].isShown);
+        ImGui::PopStyleColor();
+    }
+}
+
 void MapPage::drawPlaceNames(std::span<const world::Place> places) {
     ImDrawList* list = ImGui::GetWindowDrawList();
     std::vector<engine::LabelBox> boxes;
@@ -197,13 +242,15 @@ void MapPage::drawPlaceNames(std::span<const world::Place> places) {
         named.push_back(at.place);
     }
     for (const std::size_t i : engine::labelsWithoutOverlap(boxes))
-        outlinedText(screen({boxes[i].x, boxes[i].y}), places[named[i]].name.c_str());
+        uiOutlined(*list, static_cast<float>(boxes[i].x), static_cast<float>(boxes[i].y),
+                   places[named[i]].name.c_str());
 }
 
 void MapPage::drawSide(Ui& ui, std::span<const world::Place> places, MapChoice& choice) {
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##search", "search places", search_.data(), search_.size());
     ui.note("search");
+    drawSwitches(ui);
     const ImGuiStyle& style = ImGui::GetStyle();
     const float texts = ImGui::CalcTextSize("Whole map").x + ImGui::CalcTextSize("Back").x;
     const bool fitInOneRow =

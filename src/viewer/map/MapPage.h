@@ -48,6 +48,9 @@ private:
     void takeMap(const MapFacts& facts);
     void drawMap(Ui& ui, const MapFacts& facts, MapChoice& choice);
     void drawMarks(const MapFacts& facts);
+    void takeMarks();
+    void drawObjects();
+    void drawSwitches(Ui& ui);
     void drawPlaceNames(std::span<const world::Place> places);
     void drawSide(Ui& ui, std::span<const world::Place> places, MapChoice& choice);
     void drawList(Ui& ui, const char* heading, std::span<const world::Place> places, bool ofDungeons,
@@ -57,6 +60,13 @@ private:
     std::shared_ptr<const engine::WorldSource> source_; ///< of `work_`
     std::unique_ptr<engine::MapInBackground> work_;
     std::shared_ptr<const engine::LandscapeMap> map_; ///< null: nothing painted yet
+    /// Placed objects of one kind. Only their points along the ground, so those indoors are marked, too.
+    struct Marks {
+        std::vector<Vec2> points; ///< global metres
+        bool isShown = true;
+    };
+    static constexpr std::size_t kMarkKindCount = 3;
+    std::array<Marks, kMarkKindCount> marks_; ///< portals, lifestones, doors
     std::vector<engine::PlaceOnMap> places_;
     std::uint64_t revision_ = 0;
     MapTexture texture_;

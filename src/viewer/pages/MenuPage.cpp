@@ -1,7 +1,6 @@
 #include "viewer/Style.h"
 #include "viewer/pages/Pages.h"
 
-#include <array>
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -77,40 +76,6 @@ PageChoice drawLoading(Ui& ui, const PagesFacts& facts) {
     if (ui.button("Cancel", uiLength(120.0f)))
         choice.event = PageEvent{PageEvent::Kind::Cancelled, Page::World, {}};
     static_cast<void>(endPage(ui, kBox));
-    return choice;
-}
-
-PageChoice drawPlaces(Ui& ui, const PagesFacts& facts, std::string& filter) {
-    PageChoice choice;
-    constexpr PageBox kBox{.width = 520.0f, .height = 560.0f};
-    beginPage(factsOf(Page::Places).title, kBox);
-    std::array<char, 256> text{};
-    filter.copy(text.data(), text.size() - 1);
-    ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::IsWindowAppearing())
-        ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputTextWithHint("##filter", "search by name", text.data(), text.size()))
-        filter = text.data();
-    ui.note("search");
-    ImGui::BeginChild("##list", {0.0f, uiListHeight()}, true);
-    std::size_t shown = 0;
-    for (std::size_t i = 0; i < facts.places.size(); ++i) {
-        const world::Place& place = facts.places[i];
-        if (!containsText(place.name, filter))
-            continue;
-        ++shown;
-        ImGui::PushID(static_cast<int>(i));
-        if (ui.selectable(place.name.c_str())) {
-            choice.place = i;
-            choice.go(Page::World);
-        }
-        ImGui::PopID();
-    }
-    if (shown == 0)
-        uiNote(facts.places.empty() ? "This world names no places." : "No place has this name.");
-    ImGui::EndChild();
-    if (endPage(ui, kBox))
-        choice.back();
     return choice;
 }
 

@@ -19,9 +19,11 @@ struct Rebinding {
 /// A choice of the user on a page. All pages return it; the application carries it out.
 struct PageChoice {
     std::optional<PageEvent> event;
-    std::optional<std::string> opens; ///< the directory of a world to open; empty text: the built-in world
-    std::optional<std::size_t> place; ///< index of the world's places
-    std::optional<Settings> settings; ///< changed settings; their `uiScale` is unchanged
+    std::optional<std::string> opens;    ///< the directory of a world to open; empty text: the built-in world
+    std::optional<std::size_t> place;    ///< index of the world's places
+    std::optional<std::string> searches; ///< search placed objects for this text
+    std::optional<std::uint32_t> object; ///< go before this placed object: its guid
+    std::optional<Settings> settings;    ///< changed settings; their `uiScale` is unchanged
     std::optional<ScaleWish> scale;
     std::optional<double> uiScale; ///< a new size of letters, in place of the command line's, too
     std::optional<Rebinding> rebinding;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/placed/PlacedObjects.h"
 #include "viewer/pages/PageChoice.h"
 #include "viewer/pages/Ui.h"
 #include "viewer/scale/PictureScale.h"
@@ -21,6 +22,9 @@ struct LoadingFacts {
     double seconds = 0.0;  ///< since loading began
 };
 
+/// Letters from which a text is searched among placed objects. Fewer match so many that the search is felt.
+inline constexpr std::size_t kLeastSearched = 3;
+
 /// The input of all pages for one frame. Plain data; pages do not see the session.
 struct PagesFacts {
     const PageState& state;
@@ -30,6 +34,9 @@ struct PagesFacts {
     const LoadingFacts& loading;
     std::span<const std::filesystem::path> gameDirectories; ///< found on this computer
     std::span<const world::Place> places;                   ///< of the shown world
+    std::span<const engine::FoundObject> objects;           ///< found by the last search of this page
+    bool hasObjects = false;                                ///< the world has a world.db
+    Vec3 eye{0.0};                                          ///< global, metres
     std::string worldName;                                  ///< of the shown world; empty: none
     std::string version, driver, fontNote;                  ///< for the About page
     const ScaleFacts& scale;

@@ -80,6 +80,13 @@ void uiNote(std::string_view text) {
     ImGui::PopStyleColor();
 }
 
+void uiOutlined(ImDrawList& list, float x, float y, const char* text) {
+    constexpr ImU32 kInk = IM_COL32(255, 255, 255, 255), kOutline = IM_COL32(0, 0, 0, 200);
+    for (const ImVec2& by : {ImVec2(-1, 0), ImVec2(1, 0), ImVec2(0, -1), ImVec2(0, 1)})
+        list.AddText({x + by.x, y + by.y}, kOutline, text);
+    list.AddText({x, y}, kInk, text);
+}
+
 void uiHeading(std::string_view text) {
     ImGui::Spacing();
     ImGui::PushStyleColor(ImGuiCol_Text, styleInk(StyleInk::Accent));

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+struct ImDrawList;
+
 // Controls of the pages and panels on Dear ImGui. Each control has a name in the state of `--tell`, so that
 // tests find it on the screen. Call these functions inside a Dear ImGui frame only.
 namespace limen::viewer {
@@ -42,6 +44,8 @@ private:
 void uiText(std::string_view text);
 /// Secondary text, dimmed and wrapped at the window's edge.
 void uiNote(std::string_view text);
+/// Light text with a dark outline, over a picture. Screen units.
+void uiOutlined(ImDrawList& list, float x, float y, const char* text);
 /// The heading of a section.
 void uiHeading(std::string_view text);
 /// A tooltip for the control that was drawn last.

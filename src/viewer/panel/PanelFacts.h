@@ -6,6 +6,7 @@
 #include "motion/Body.h"
 #include "viewer/KeyBindings.h"
 #include "viewer/inspect/FrozenFlood.h"
+#include "viewer/inspect/NameTags.h"
 #include "viewer/inspect/PortalTraces.h"
 #include "viewer/inspect/ResidencyMap.h"
 #include "viewer/inspect/TimeWindow.h"
@@ -19,7 +20,7 @@ namespace limen::viewer {
 
 /// The parts of the overlay stage, toggled by keys.
 struct OverlaySwitches {
-    bool ids = false, depth = false, regions = false, portals = false, panel = false;
+    bool ids = false, depth = false, regions = false, portals = false, names = false, panel = false;
 };
 
 /// Times in milliseconds over the last five seconds.
@@ -49,6 +50,7 @@ struct PanelFacts {
     const ViewVerdict* verdict;           ///< the check of exactly this view; null: none
     const FrozenFlood* frozen;            ///< the frozen flood, drawn over the picture; null: none
     std::span<const PortalTrace> portals; ///< of the current or frozen flood; empty unless shown
+    std::span<const NameTag> names;       ///< of this frame; empty unless shown
     const ResidencyMap& residency;
     std::optional<std::size_t> quality; ///< of kQualities
     const ScaleFacts& scale;

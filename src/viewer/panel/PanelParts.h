@@ -25,6 +25,8 @@ inline ImVec2 screenPoint(const Vec2& ndc) {
 
 /// Draws lines over the picture: outlines of visits, portals, the pyramids of a frozen flood.
 void drawLines(const PanelFacts& facts, const OverlaySwitches& switches);
+/// Draws names over the picture; of names that overlap the nearest one.
+void drawNames(std::span<const NameTag> names);
 /// Shows at the lower edge that the use key moves the door in reach.
 void drawDoor(const PanelFacts& facts);
 /// Shows a line of text at the upper edge.

@@ -1,3 +1,4 @@
+#include "engine/map/PlacesOnMap.h"
 #include "output/RegionOverlay.h"
 #include "viewer/panel/PanelParts.h"
 
@@ -82,6 +83,18 @@ void drawLines(const PanelFacts& facts, const OverlaySwitches& switches) {
     drawPortals(facts);
     if (facts.frozen != nullptr)
         drawPyramids(*facts.frozen, facts.request);
+}
+
+void drawNames(std::span<const NameTag> names) {
+    std::vector<engine::LabelBox> boxes;
+    for (const NameTag& tag : names) {
+        const ImVec2 at = screenPoint(tag.at), size = ImGui::CalcTextSize(tag.name.c_str());
+        boxes.push_back({static_cast<double>(at.x - size.x / 2), static_cast<double>(at.y - size.y),
+                         static_cast<double>(size.x), static_cast<double>(size.y)});
+    }
+    for (const std::size_t i : engine::labelsWithoutOverlap(boxes))
+        uiOutlined(*ImGui::GetBackgroundDrawList(), static_cast<float>(boxes[i].x),
+                   static_cast<float>(boxes[i].y), names[i].name.c_str());
 }
 
 void drawDoor(const PanelFacts& facts) {
