@@ -92,6 +92,10 @@ public:
     [[nodiscard]] T&& operator*() && noexcept { return *std::move(value_); }
     [[nodiscard]] T* operator->() noexcept { return &*value_; }
     [[nodiscard]] const T* operator->() const noexcept { return &*value_; }
+    /// As `*`; without a value it throws std::bad_optional_access. For tests.
+    [[nodiscard]] T& value() & { return value_.value(); }
+    [[nodiscard]] const T& value() const& { return value_.value(); }
+    [[nodiscard]] T&& value() && { return std::move(value_).value(); }
     template <class U>
     [[nodiscard]] T value_or(U&& other) const& {
         return has_value() ? **this : static_cast<T>(std::forward<U>(other));

@@ -25,6 +25,8 @@ TEST(Result, holdsAValueOrAnError) {
     const Result<int> good = half(8), bad = half(7);
     ASSERT_TRUE(good.has_value() && good);
     EXPECT_EQ(*good, 4);
+    EXPECT_EQ(good.value(), 4);
+    EXPECT_THROW(static_cast<void>(bad.value()), std::bad_optional_access);
     ASSERT_FALSE(bad.has_value() || bad);
     EXPECT_EQ(bad.error().code, ErrorCode::BadArgument);
     EXPECT_EQ(bad.error().message(), "half: the number is odd");
