@@ -39,7 +39,9 @@ constexpr std::array<bool, 256> kIsMark = markTable();
 Tokens::Tokens(ReadBytes read, std::string name)
     : read_(std::move(read)), name_(std::move(name)), buffer_(kBufferSize) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (peek() == 0xEF && std::string_view(buffer_.data(), end_).starts_with(kByteOrderMark))
+    while (end_ < kByteOrderMark.size() && refill()) { // a read may give one byte
+    }
+    if (std::string_view(buffer_.data(), end_).starts_with(kByteOrderMark))
         at_ = kByteOrderMark.size();
 }
 
