@@ -55,7 +55,7 @@ Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& 
         Result<void> added =
             part.at(place).and_then([&](DrawnPart* there) { return addCalls(*there, place, calls); });
         if (!added)
-            return tl::unexpected(added.error());
+            return Failure(added.error());
     }
     return calls;
 }

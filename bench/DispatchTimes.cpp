@@ -34,7 +34,7 @@ Result<Round> roundOnNull(TwoWays& ways, DrawWay draw, ObjectField& field, std::
         round.thread += threadSeconds() - start;
         round.allocations += counter ? counter() - before : 0;
         if (!drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
     }
     round.thread *= kMicroseconds / static_cast<double>(views.size());
     return round;
@@ -54,7 +54,7 @@ Result<Round> roundOnDriver(TwoWays& ways, DrawWay draw, ObjectField& field,
             glFinish();
         });
         if (!drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
     }
     round.thread *= kMicroseconds / static_cast<double>(views.size());
     round.wall *= kMicroseconds / static_cast<double>(views.size());
@@ -86,13 +86,13 @@ Result<WayTimes> timeOnNullDevice(ObjectField& field, std::span<const FieldView>
     const frame::FrameView& frame = views.front().frame;
     const Result<std::unique_ptr<TwoWays>> ways = TwoWays::create(device, field, frame.width, frame.height);
     if (!ways)
-        return tl::unexpected(ways.error());
+        return Failure(ways.error());
     WayTimes times;
     for (int i = 0; i < kWarmUps + repeats; ++i) {
         const Result<Round> real = roundOnNull(**ways, kReal, field, views, counter);
         const Result<Round> classic = roundOnNull(**ways, kClassic, field, views, nullptr);
         if (!real || !classic)
-            return tl::unexpected((real ? classic : real).error());
+            return Failure((real ? classic : real).error());
         if (i >= kWarmUps) {
             times.real.push_back(real->thread);
             times.classic.push_back(classic->thread);
@@ -107,15 +107,15 @@ Result<DriverRun> runOnDriver(gpu::Device& device, ObjectField& field, std::span
     const frame::FrameView& frame = views.front().frame;
     const Result<std::unique_ptr<TwoWays>> ways = TwoWays::create(device, field, frame.width, frame.height);
     if (!ways)
-        return tl::unexpected(ways.error());
+        return Failure(ways.error());
     DriverRun run;
     if (Result<void> compared = compareIds(**ways, field, views, run); !compared) // this also warms up
-        return tl::unexpected(compared.error());
+        return Failure(compared.error());
     for (int i = 0; i < repeats; ++i) {
         const Result<Round> real = roundOnDriver(**ways, kReal, field, views);
         const Result<Round> classic = roundOnDriver(**ways, kClassic, field, views);
         if (!real || !classic)
-            return tl::unexpected((real ? classic : real).error());
+            return Failure((real ? classic : real).error());
         run.calls.real.push_back(real->thread);
         run.calls.classic.push_back(classic->thread);
         run.finished.real.push_back(real->wall);

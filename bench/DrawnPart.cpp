@@ -56,11 +56,11 @@ Result<std::unique_ptr<DrawnPart>> DrawnPart::of(std::shared_ptr<const engine::L
                                                  std::uint32_t height, const gpu::RendererOptions& options) {
     Result<gpu::RenderTarget> target = gpu::RenderTarget::create(device, width, height);
     if (!target)
-        return tl::unexpected(target.error());
+        return Failure(target.error());
     std::unique_ptr<DrawnPart> part(new DrawnPart(device, std::move(*target), options));
     if (Result<void> shown = part->pipeline_.show(std::make_unique<engine::PartPlanner>(std::move(loaded)));
         !shown)
-        return tl::unexpected(shown.error());
+        return Failure(shown.error());
     return part;
 }
 
@@ -106,7 +106,7 @@ Result<DrawnPart*> PartOfTour::at(const world::Place& place) {
         Result<std::unique_ptr<DrawnPart>> loaded =
             DrawnPart::around(archive_, file_, place, device_, width_, height_);
         if (!loaded)
-            return tl::unexpected(loaded.error());
+            return Failure(loaded.error());
         part_ = std::move(*loaded);
     }
     return part_.get();

@@ -46,7 +46,7 @@ Result<double> cpuMicroseconds(DrawnPart& part, const frame::FrameView& view, Wi
         const std::uint64_t before = counter ? counter() : 0;
         const double start = threadSeconds();
         if (Result<void> drawn = drawFrame(part, view, without); !drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         const double seconds = threadSeconds() - start;
         allocations = counter ? counter() - before : 0;
         if (i >= 2)
@@ -62,13 +62,13 @@ Result<CpuTimes> timeOnNullDevice(const BuiltInFiles& files, AllocationCounter c
     for (const world::Place& place : files.world.tour) {
         const Result<DrawnPart*> part = tour.at(place);
         if (!part)
-            return tl::unexpected(part.error());
+            return Failure(part.error());
         const frame::FrameView view = (*part)->viewFrom(place);
         std::uint64_t allocations = 0, ignored = 0;
         const Result<double> all = cpuMicroseconds(**part, view, Without::Visibility, nullptr, ignored);
         const Result<double> flooded = cpuMicroseconds(**part, view, Without::Nothing, counter, allocations);
         if (!all || !flooded)
-            return tl::unexpected((all ? flooded : all).error());
+            return Failure((all ? flooded : all).error());
         times.indoors.push_back(view.view.root != world::kOutside);
         times.all.push_back(*all);
         times.flooded.push_back(*flooded);
@@ -119,7 +119,7 @@ Result<std::vector<std::unique_ptr<FrameWay>>> makeWays(const std::vector<LimenR
             return ways;
         Result<std::unique_ptr<FrameWay>> way = make(effort.width, effort.height);
         if (!way)
-            return tl::unexpected(way.error());
+            return Failure(way.error());
         if (*way != nullptr)
             ways->push_back(std::move(*way));
     }

@@ -74,13 +74,13 @@ const world::Portal& anyBuildingPortal(const world::World& world, RandomSeries& 
 Result<world::World> generatedWorld(const worlds::GeneratedSpec& spec) {
     const TemporaryDirectory directory("bench");
     if (Result<void> written = worlds::writeGeneratedWorld(spec, directory.path()); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     const Result<dat::Archive> archive = dat::Archive::open(directory.path());
     if (!archive)
-        return tl::unexpected(archive.error());
+        return Failure(archive.error());
     const Result<world::WorldFile> file = world::loadWorldFile(directory.path());
     if (!file)
-        return tl::unexpected(file.error());
+        return Failure(file.error());
     if (file->places.empty())
         return fail(ErrorCode::NotFound, "generated world", "the world file names no place to load around");
     const world::Place& place = file->places.front();

@@ -112,7 +112,7 @@ Result<cli::Exit> runBench(const BenchOptions& options, const cli::Console& cons
     }
     const Result<std::vector<const Bench*>> benches = chosen(options);
     if (!benches)
-        return tl::unexpected(benches.error());
+        return Failure(benches.error());
     bool allMet = true;
     console.interrupt().defer();
     for (std::size_t i = 0; i < benches->size(); ++i) {

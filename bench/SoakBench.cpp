@@ -45,7 +45,7 @@ Result<Lap> walkOnce(const BuiltInFiles& files, gpu::Device& device) {
             Result<std::unique_ptr<DrawnPart>> loaded = DrawnPart::around(
                 *files.archive, files.world, place, device, kSmallWidth, kSmallHeight, {.radius = 1});
             if (!loaded)
-                return tl::unexpected(loaded.error());
+                return Failure(loaded.error());
             part = std::move(*loaded); // the old part is freed after the new one is loaded, as in a session
             around = world::blockAt(place.eye);
             ++lap.loads;
@@ -55,7 +55,7 @@ Result<Lap> walkOnce(const BuiltInFiles& files, gpu::Device& device) {
         part->flood(view);
         part->plan(view);
         if (Result<void> drawn = part->submit(); !drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         ++lap.frames;
         lap.memory = std::max(lap.memory, residentBytes());
     }

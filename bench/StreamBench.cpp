@@ -128,7 +128,7 @@ Result<Flight> fly(const std::shared_ptr<const engine::WorldSource>& source, con
     options.load.farRadius = kFar;
     engine::Session session(source, options, device);
     if (Result<void> loaded = session.load(world::blockAt(land.from)); !loaded)
-        return tl::unexpected(loaded.error());
+        return Failure(loaded.error());
     engine::StreamedResidency stream(session);
     engine::FrameRequest eye;
     eye.size = {64, 36};
@@ -150,7 +150,7 @@ Result<Flight> fly(const std::shared_ptr<const engine::WorldSource>& source, con
             return fail(ErrorCode::NotFound, "stream", fault);
         flight.missing += isAllThere(session.part().world, land, world::blockAt(at)) ? 0 : 1;
         if (Result<void> drawn = session.draw(eye, {}); !drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         flight.mostMiB = std::max(flight.mostMiB, i % 20 == 0 ? residentMiB() : 0.0);
         due = std::max(
             due + std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(kFrame)),
@@ -193,7 +193,7 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
                              const Result<void>& written, gpu::Device& device) {
         Result<engine::WorldSource> source = engine::openWorldSource(directory.path().string());
         if (!written || !source) {
-            addRows(scene, tl::unexpected(written ? source.error() : written.error()), rows);
+            addRows(scene, Failure(written ? source.error() : written.error()), rows);
             return;
         }
         Land land(*source);
@@ -222,7 +222,7 @@ std::vector<BenchRow> benchStreamOver(const std::string& dat) {
     const auto measure = [&](const std::string& scene, gpu::Device& device) {
         Result<engine::WorldSource> source = engine::openWorldSource(dat);
         if (!source) {
-            addRows(scene, tl::unexpected(source.error()), rows);
+            addRows(scene, Failure(source.error()), rows);
             return;
         }
         const Land land(*source);

@@ -8,13 +8,13 @@ Result<std::unique_ptr<TwoWays>> TwoWays::create(gpu::Device& device, const Obje
                                                  std::uint32_t width, std::uint32_t height) {
     Result<gpu::RenderTarget> target = gpu::RenderTarget::create(device, width, height);
     if (!target)
-        return tl::unexpected(target.error());
+        return Failure(target.error());
     std::unique_ptr<TwoWays> ways(new TwoWays(device, field, std::move(*target)));
     if (Result<void> uploaded = ways->renderer_.upload(frame::buildScene(ways->scene_)); !uploaded)
-        return tl::unexpected(uploaded.error());
+        return Failure(uploaded.error());
     Result<std::unique_ptr<ClassicPath>> classic = ClassicPath::create(device, field.world, field.dynamics);
     if (!classic)
-        return tl::unexpected(classic.error());
+        return Failure(classic.error());
     ways->classic_ = std::move(*classic);
     return ways;
 }

@@ -11,7 +11,8 @@ if(NOT DOXYGEN_FOUND)
 endif()
 
 # Public headers: those of the rooms, and the record types. The program's own rooms have no users outside of it.
-file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.h ${PROJECT_SOURCE_DIR}/src/dat/records/*.h)
+file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*.h ${PROJECT_SOURCE_DIR}/src/dat/records/*.h
+     ${PROJECT_SOURCE_DIR}/src/visibility/c/*.h)
 list(FILTER headers EXCLUDE REGEX "/src/(cli|viewer)/")
 file(GLOB_RECURSE pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/docs/*.md)
 file(GLOB root_pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/*.md)
@@ -25,6 +26,9 @@ set(DOXYGEN_STRIP_FROM_INC_PATH ${PROJECT_SOURCE_DIR}/src)
 set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/docs)
 set(DOXYGEN_INCLUDE_PATH ${PROJECT_SOURCE_DIR}/src)
 set(DOXYGEN_SEARCH_INCLUDES NO) # a header's comments need no other header
+set(DOXYGEN_MACRO_EXPANSION YES) # of the marks of exported declarations only
+set(DOXYGEN_EXPAND_ONLY_PREDEF YES)
+set(DOXYGEN_PREDEFINED LIMEN_API= LIMEN_C_API= LIMEN_API_BEGIN= LIMEN_API_END=)
 set(DOXYGEN_JAVADOC_AUTOBRIEF YES)
 set(DOXYGEN_EXTRACT_ALL NO)
 set(DOXYGEN_HIDE_UNDOC_MEMBERS NO)

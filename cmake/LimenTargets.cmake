@@ -4,17 +4,26 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_C_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
-set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 
 find_program(LIMEN_CCACHE ccache)
-if(LIMEN_CCACHE)
+if(LIMEN_CCACHE AND PROJECT_IS_TOP_LEVEL)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${LIMEN_CCACHE})
 endif()
 
 add_library(limen_flags INTERFACE)
 target_compile_options(limen_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-    -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>)
+# GCC 12 at -O3 warns of concatenated strings without reason (its bug 105651).
+target_compile_options(limen_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# A warning of ours is no error of a project that contains ours, perhaps with another compiler.
+option(LIMEN_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
+if(LIMEN_WERROR)
+    target_compile_options(limen_flags INTERFACE -Werror)
+endif()
 # No fused multiply-add: results must not depend on the compiler.
 target_compile_options(limen_flags INTERFACE -ffp-contract=off)
 if(LIMEN_SANITIZE)
@@ -50,11 +59,21 @@ function(limen_unite target)
     endforeach()
 endfunction()
 
+# The rooms that the libraries for other projects are made of. Their objects also go into shared libraries, and only
+# declarations with LIMEN_API are exported.
+set(LIMEN_LIBRARY_ROOMS core geometry visibility dat)
+
 # limen_room(name sources...): a library for a folder of src, with the alias limen::name. Its headers are
-# included as "name/Header.h".
+# included as "name/Header.h". In a project that contains ours and none of our programs, limen::visibility and limen::dat
+# are the libraries of LimenProduct.cmake instead.
 function(limen_room name)
     add_library(limen_${name} STATIC ${ARGN})
-    add_library(limen::${name} ALIAS limen_${name})
+    if(PROJECT_IS_TOP_LEVEL OR LIMEN_HAS_ENGINE OR name MATCHES "^(core|geometry)$")
+        add_library(limen::${name} ALIAS limen_${name})
+    endif()
+    if(name IN_LIST LIMEN_LIBRARY_ROOMS)
+        set_target_properties(limen_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    endif()
     target_include_directories(limen_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(limen_${name} PRIVATE limen_flags)
     # The fuzzers are guided by branches and comparisons in `dat`, by branches alone elsewhere: comparisons
@@ -74,8 +93,10 @@ endfunction()
 # whole worlds, or no code that reads foreign bytes; the target `whole_world_tests` builds it, for
 # `./test --all`. Test code is not optimised, which halves its compile time. BUSY: it is, because the test itself
 # computes much.
-add_custom_target(unlabelled_tests)
-add_custom_target(whole_world_tests)
+if(LIMEN_BUILD_TESTS)
+    add_custom_target(unlabelled_tests)
+    add_custom_target(whole_world_tests)
+endif()
 function(limen_test name)
     cmake_parse_arguments(ARG "TOGETHER;BUSY;LONG;WHOLE" "" "LABELS;SOURCES;LINK" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})

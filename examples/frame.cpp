@@ -13,29 +13,29 @@ using namespace limen;
 Result<void> drawFrame(const std::string& place, const std::string& directory) {
     Result<engine::WorldSource> source = engine::openWorldSource(directory);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     engine::ViewRequest wanted;
     wanted.place = place;
     wanted.size = {640, 360};
     const Result<engine::ViewRequest> view = engine::resolvePlace(wanted, source->file);
     if (!view)
-        return tl::unexpected(view.error());
+        return Failure(view.error());
     Result<engine::HeadlessSession> headless =
         engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)), {});
     if (!headless)
-        return tl::unexpected(headless.error());
+        return Failure(headless.error());
     engine::Session& session = *headless->session;
     if (Result<void> loaded = session.load(engine::centreOf(*view)); !loaded)
         return loaded;
     const Result<engine::FrameRequest> frame =
         engine::frameRequest(session.part().world, session.source().file, *view);
     if (!frame)
-        return tl::unexpected(frame.error());
+        return Failure(frame.error());
     if (Result<void> drawn = session.draw(*frame, {.ids = true}); !drawn)
         return drawn;
     const Result<engine::Picked> middle = session.pick(*frame, 320, 180);
     if (!middle)
-        return tl::unexpected(middle.error());
+        return Failure(middle.error());
     fmt::print("{} visits, {} instances drawn; in the middle: {} of space {}, {:.2f} m away\n",
                session.visible().visits.size(), session.plan().counts.instancesDrawn, middle->meaning.kind,
                middle->meaning.space, middle->distance);

@@ -56,7 +56,7 @@ Result<CardTime> timePlace(DrawnPart& part, const world::Place& place, const Car
     part.plan(view);
     const std::vector<Stamps> stamps(static_cast<std::size_t>(effort.warmUps + effort.repeats));
     if (Result<void> drawn = submitOften(part, stamps); !drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     glFinish();
     Samples frames;
     for (auto i = static_cast<std::size_t>(effort.warmUps); i < stamps.size(); ++i)
@@ -74,7 +74,7 @@ Result<void> timeRun(DrawnPart& part, const std::vector<world::Place>& places, s
     for (std::size_t i = first; i < last; ++i) {
         const Result<CardTime> time = timePlace(part, places[i], effort);
         if (!time)
-            return tl::unexpected(time.error());
+            return Failure(time.error());
         times.places.push_back(*time);
         hash.add(part.plan().counts.instancesDrawn);
         hash.add(part.plan().visits.size());
@@ -98,7 +98,7 @@ Result<std::vector<CardTimes>> timeOnCard(gpu::Device& device, const dat::Archiv
         const Result<std::shared_ptr<const engine::LoadedPart>> loaded =
             loadAround(archive, file, places[first]);
         if (!loaded)
-            return tl::unexpected(loaded.error());
+            return Failure(loaded.error());
         for (last = first; last < places.size() && holds(**loaded, places[last]);)
             ++last;
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -106,9 +106,9 @@ Result<std::vector<CardTimes>> timeOnCard(gpu::Device& device, const dat::Archiv
             const Result<std::unique_ptr<DrawnPart>> drawn =
                 DrawnPart::of(*loaded, device, all[i].width, all[i].height, way.options);
             if (!drawn)
-                return tl::unexpected(drawn.error());
+                return Failure(drawn.error());
             if (Result<void> timed = timeRun(**drawn, places, first, last, effort, all[i]); !timed)
-                return tl::unexpected(timed.error());
+                return Failure(timed.error());
         }
     }
     return all;

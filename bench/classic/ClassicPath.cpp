@@ -40,7 +40,7 @@ Result<std::unique_ptr<ClassicPath>> ClassicPath::create(gpu::Device& device, co
     LIMEN_ASSERT(world.spaces.size() == 1, "the classic path draws worlds without cells");
     Result<std::unique_ptr<ClassicScene>> scene = ClassicScene::create(device, world, dynamics);
     if (!scene)
-        return tl::unexpected(scene.error());
+        return Failure(scene.error());
     std::unique_ptr<ClassicPath> path(new ClassicPath(device, world, std::move(*scene)));
     path->layOut(dynamics);
     return path;

@@ -67,7 +67,7 @@ Result<std::unique_ptr<ClassicScene>> ClassicScene::create(gpu::Device& device, 
     scene->programs_.fill(gpu::ProgramHandle::Invalid);
     Result<void> made = scene->upload(world).and_then([&] { return scene->addPrograms(); });
     if (!made)
-        return tl::unexpected(made.error());
+        return Failure(made.error());
     scene->addGroups(world, dynamics);
     return scene;
 }
@@ -103,7 +103,7 @@ Result<void> ClassicScene::upload(const world::World& world) {
     staticMembers_ = static_cast<std::uint32_t>(scene.members.size());
     const gpu::BufferHandle members = add("classic members", bytesOf(scene.members));
     if (missing_)
-        return tl::unexpected(*missing_);
+        return Failure(*missing_);
     // All instances are in the frame's memory and there are no pieces, so the shaders never read these
     // arrays.
     return addTexels(layout::kUnitVertices, "classic vertices", vertices_)
@@ -122,7 +122,7 @@ Result<void> ClassicScene::addPages(std::span<const frame::TextureUpload> textur
         Result<gpu::TextureStore> page = gpu::TextureStore::create(device_, std::span(&texture, 1),
                                                                    {.mode = gpu::TextureMode::ArrayPages});
         if (!page)
-            return tl::unexpected(page.error());
+            return Failure(page.error());
         pages_.push_back(std::move(*page));
     }
     return {};
@@ -139,7 +139,7 @@ Result<void> ClassicScene::addPrograms() {
         source.defines.emplace_back("EXACT_OUTLINES");
         const Result<gpu::ProgramHandle> made = device_.createProgram(source);
         if (!made)
-            return tl::unexpected(made.error());
+            return Failure(made.error());
         programs_[static_cast<std::size_t>(program)] = *made;
     }
     return {};
@@ -200,7 +200,7 @@ void ClassicScene::addStorage(std::uint32_t binding, std::string_view label,
 Result<void> ClassicScene::addTexels(std::uint32_t unit, std::string_view label, gpu::BufferHandle buffer) {
     const Result<gpu::TextureHandle> texels = device_.createTexels(label, buffer);
     if (!texels)
-        return tl::unexpected(texels.error());
+        return Failure(texels.error());
     texels_.push_back(*texels);
     textures_[unit - layout::kUnitVertices] = *texels;
     return {};

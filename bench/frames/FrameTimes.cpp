@@ -41,7 +41,7 @@ std::string sceneOf(const FramePlace& place, const world::Place& from) {
 
 Result<FrameTime> timeOnce(FrameWay& way) {
     if (Result<void> entered = way.enter(); !entered)
-        return tl::unexpected(entered.error());
+        return Failure(entered.error());
     Result<void> drawn;
     const double processor = processSeconds();
     const double wall = secondsOf([&] { drawn = way.draw(); });
@@ -67,13 +67,13 @@ Result<void> showEverywhere(const Ways& ways, const FramePlace& place) {
 
 Result<std::vector<FrameTime>> timePlace(const Ways& ways, const FramePlace& place, int repeats) {
     if (Result<void> shown = showEverywhere(ways, place); !shown)
-        return tl::unexpected(shown.error());
+        return Failure(shown.error());
     std::vector<std::vector<FrameTime>> times(ways.size());
     for (int repeat = 0; repeat < 1 + repeats; ++repeat) { // one to warm up
         for (std::size_t i = 0; i < ways.size(); ++i) {
             const Result<FrameTime> time = timeOnce(*ways[i]);
             if (!time)
-                return tl::unexpected(time.error());
+                return Failure(time.error());
             if (repeat > 0)
                 times[i].push_back(*time);
         }
@@ -134,14 +134,14 @@ Result<FrameTimes> timeFrames(const dat::Archive& archive, const world::WorldFil
     for (const world::Place& place : places) {
         Result<std::shared_ptr<const engine::LoadedPart>> part = partFor(archive, file, place, there.get());
         if (!part)
-            return tl::unexpected(part.error());
+            return Failure(part.error());
         auto next = std::make_unique<FramePlace>(placeIn(std::move(*part), place, effort));
         Result<std::vector<FrameTime>> times = timePlace(ways, *next, effort.repeats);
         if (!times)
-            return tl::unexpected(times.error());
+            return Failure(times.error());
         const bool isInCell = next->view.view.root != world::kOutside;
         if (Result<void> kept = keepPictures(ways, effort.pictures, out.places.size(), isInCell, hash); !kept)
-            return tl::unexpected(kept.error());
+            return Failure(kept.error());
         out.places.push_back({sceneOf(*next, place), isInCell, std::move(*times)});
         there = std::move(next);
     }

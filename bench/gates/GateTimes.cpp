@@ -107,14 +107,14 @@ Result<GateFrames> timeGates(gpu::Device& device, const dat::Archive& archive, c
         const Result<std::shared_ptr<const engine::LoadedPart>> loaded =
             loadAround(archive, file, places[first]);
         if (!loaded)
-            return tl::unexpected(loaded.error());
+            return Failure(loaded.error());
         const Result<std::unique_ptr<DrawnPart>> drawn =
             DrawnPart::of(*loaded, device, effort.width, effort.height, options);
         if (!drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         for (last = first; last < places.size() && holds(**loaded, places[last]); ++last)
             if (Result<void> timed = timePlace(**drawn, places[last], effort, counter, frames); !timed)
-                return tl::unexpected(timed.error());
+                return Failure(timed.error());
     }
     return frames;
 }

@@ -47,7 +47,7 @@ Result<GLuint> buildProgram(const char* define) {
     const Result<GLuint> fragment =
         buildShader(GL_FRAGMENT_SHADER, std::string("#version 450 core\n") + define + kPlainFragmentShader);
     if (!vertex || !fragment)
-        return tl::unexpected((vertex ? fragment : vertex).error());
+        return Failure((vertex ? fragment : vertex).error());
     const GLuint program = glCreateProgram();
     for (const GLuint shader : {*vertex, *fragment}) {
         glAttachShader(program, shader);
@@ -125,7 +125,7 @@ Result<void> PlainWay::prepare() {
     for (std::size_t i = 0; i < kVariantCount; ++i) {
         const Result<GLuint> program = buildProgram(kDefines[i]);
         if (!program)
-            return tl::unexpected(program.error());
+            return Failure(program.error());
         programs_[i] = *program;
     }
     glCreateTextures(GL_TEXTURE_2D, 1, &white_);
@@ -286,10 +286,10 @@ void PlainWay::drawBlended() {
 Result<std::unique_ptr<FrameWay>> makePlainWay(std::uint32_t width, std::uint32_t height) {
     Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
     if (!context)
-        return tl::unexpected(context.error());
+        return Failure(context.error());
     auto way = std::make_unique<PlainWay>(std::move(*context), width, height);
     if (Result<void> prepared = way->prepare(); !prepared)
-        return tl::unexpected(prepared.error());
+        return Failure(prepared.error());
     return way;
 }
 

@@ -24,13 +24,13 @@ Result<DrawnView> drawView(Drawer& drawer, const world::World& world, const View
     const Clock::time_point start = Clock::now();
     Result<DrawnImages> images = drawer.draw(view, root, still);
     if (!images)
-        return tl::unexpected(images.error());
+        return Failure(images.error());
     drawn.images = std::move(*images);
     drawn.dynamics = drawer.dynamics();
     if (still) {
         const Result<DrawnImages> again = drawer.draw(view, root, true);
         if (!again)
-            return tl::unexpected(again.error());
+            return Failure(again.error());
         drawn.moved = pixelsThatMoved(drawn.images, *again);
     }
     drawn.seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -51,7 +51,7 @@ Result<void> drawAll(ViewQueue& queue, Drawer& drawer, Judging& judging,
         if (!view || !reported) {
             queue.close();
             judging.giveUp();
-            return tl::unexpected(view ? reported.error() : view.error());
+            return Failure(view ? reported.error() : view.error());
         }
     }
     return {};

@@ -56,7 +56,7 @@ Result<std::vector<BlockSummary>> blocksOf(const dat::Archive& archive) {
         return true;
     });
     if (!read)
-        return tl::unexpected(read.error());
+        return Failure(read.error());
     std::vector<BlockSummary> built, blocks;
     for (auto& [word, summary] : all) {
         summary.hasLandscape = summary.hasLandscape && !world::isDungeon(archive, summary.block);

@@ -27,7 +27,7 @@ Result<std::filesystem::path> benchProgram() {
 Result<Exit> becomeBench(const std::vector<std::string>& arguments) {
     const Result<std::filesystem::path> program = benchProgram();
     if (!program)
-        return tl::unexpected(program.error());
+        return Failure(program.error());
     std::vector<const char*> argv{program->c_str()};
     for (const std::string& argument : arguments)
         argv.push_back(argument.c_str());

@@ -40,7 +40,7 @@ Result<void> restrictTo(const std::string& text, std::vector<check::BlockSummary
         return {};
     const Result<dat::RecordId> word = parseRecordId("--block", text);
     if (!word)
-        return tl::unexpected(word.error());
+        return Failure(word.error());
     if (*word > 0xFFFFu)
         return fail(ErrorCode::BadArgument, "--block",
                     fmt::format("'{}' is not a landblock of four hexadecimal digits, such as A9B4", text));
@@ -60,23 +60,23 @@ Result<check::RunRequest> addWalk(const CheckOptions& options,
                                   const Console& console, check::RunRequest request) {
     Result<play::WalkRecord> record = play::readWalk(options.walk);
     if (!record)
-        return tl::unexpected(record.error());
+        return Failure(record.error());
     const Result<engine::ViewRequest> start = walkStart(*record);
     if (!start)
-        return tl::unexpected(start.error());
+        return Failure(start.error());
     gpu::NullDevice device;
     engine::Session session(source, options.session, device);
     const Result<std::unique_ptr<play::ReplayedFrames>> frames =
         play::ReplayedFrames::open(session, std::move(*record), *start);
     if (!frames)
-        return tl::unexpected(frames.error());
+        return Failure(frames.error());
     std::vector<check::View> views;
     for (std::size_t i = 0; i < (*frames)->count(); ++i) {
         const Result<const engine::FrameRequest*> next = (*frames)->next();
         if (!next)
-            return tl::unexpected(next.error());
+            return Failure(next.error());
         if (Result<void> drawn = session.draw(**next, {}); !drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         views.push_back(engine::viewOf(**next, session.part().world));
         views.back().kind = check::ViewKind::Path;
         views.back().width = request.width;
@@ -96,34 +96,34 @@ Result<check::RunRequest> planCheck(const CheckOptions& options,
                                     const Console& console) {
     const Result<std::vector<check::ViewKind>> kinds = kindsOf(options.kinds);
     if (!kinds)
-        return tl::unexpected(kinds.error());
+        return Failure(kinds.error());
     check::RunRequest request;
     request.seed = options.seed;
     request.tour = source->file.tour;
     const Result<std::optional<double>> doors = parseDoors("--doors", options.doors);
     if (!doors)
-        return tl::unexpected(doors.error());
+        return Failure(doors.error());
     request.doors = *doors;
     const Result<engine::Weather> weather = parseWeather("--weather", options.weather);
     if (!weather)
-        return tl::unexpected(weather.error());
+        return Failure(weather.error());
     request.rain = *weather == engine::Weather::Rain;
     const Result<engine::Look> look = parseLook("--look", options.look);
     if (!look)
-        return tl::unexpected(look.error());
+        return Failure(look.error());
     request.look = *look;
     const Result<dat::Region> region = source->archive.load<dat::Region>(dat::kRegionId);
     const Result<std::uint32_t> day =
         region ? engine::dayGroupOf(region->sky, region->gameTime, {options.day, {}})
                : engine::dayGroupOf({}, {}, {options.day, {}});
     if (!day)
-        return tl::unexpected(day.error());
+        return Failure(day.error());
     request.dayGroup = *day;
     request.threads = std::max(1u, std::thread::hardware_concurrency());
     if (!options.size.empty()) {
         const Result<engine::PixelSize> size = parseSize("--size", options.size);
         if (!size)
-            return tl::unexpected(size.error());
+            return Failure(size.error());
         request.width = request.sweepWidth = size->width;
         request.height = request.sweepHeight = size->height;
     }
@@ -131,9 +131,9 @@ Result<check::RunRequest> planCheck(const CheckOptions& options,
         return addWalk(options, source, console, request);
     Result<std::vector<check::BlockSummary>> blocks = check::blocksOf(source->archive);
     if (!blocks)
-        return tl::unexpected(blocks.error());
+        return Failure(blocks.error());
     if (Result<void> left = restrictTo(options.block, *blocks); !left)
-        return tl::unexpected(left.error());
+        return Failure(left.error());
     const std::vector<check::ViewKind> placed = check::kindsWithPlaces(*kinds, *blocks);
     request.tasks =
         check::planTasks(*blocks, source->file.tour, check::shareAmongKinds(options.views, placed));

@@ -59,7 +59,7 @@ Result<check::Progress> progressOf(const CheckOptions& options, const std::strin
         return progress;
     const Result<std::string> text = output::readTextFile(options.resume, kStateLimit);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     Result<check::Progress> before = check::parseProgress(*text);
     if (!before)
         return fail(before.error().code, options.resume, before.error().what);
@@ -124,7 +124,7 @@ Result<Exit> stopEarly(const CheckOptions& options, const check::Progress& progr
                        const check::ReportContext& context, std::size_t asked, const Console& console) {
     if (!options.resume.empty()) {
         if (Result<void> saved = output::writeFile(options.resume, check::progressJson(progress)); !saved)
-            return tl::unexpected(saved.error());
+            return Failure(saved.error());
     }
     console.note(fmt::format("limen: stopped after {} of {} views{}", progress.totals.sum().views, asked,
                              options.resume.empty() ? "" : "; the same command with --resume continues"));
@@ -145,7 +145,7 @@ Result<void> writeCheckReport(const CheckOptions& options, engine::Session& sess
     const output::CheckReport report = std::move(recorder).finish(std::move(head), totals);
     const Result<std::string> page = writeReport(options.report, output::checkPage(report));
     if (!page)
-        return tl::unexpected(page.error());
+        return Failure(page.error());
     console.wrote(*page, "the report");
     return {};
 }
@@ -157,34 +157,34 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
             engine::checkMemory("--views", fmt::format("a list of {} views", options.views),
                                 options.views * sizeof(check::View), engine::availableMemory());
         !fits)
-        return tl::unexpected(fits.error());
+        return Failure(fits.error());
     if (Result<void> places = checkOutputPlaces(options); !places)
-        return tl::unexpected(places.error());
+        return Failure(places.error());
     Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     if (options.walk.empty()) {
         Result<std::vector<world::Place>> tour = tourOf(console, *source);
         if (!tour)
-            return tl::unexpected(tour.error());
+            return Failure(tour.error());
         source->file.tour = std::move(*tour);
     }
     const check::ReportContext context{options.seed, worldOptions(options, *source)};
     Result<check::Progress> progress = progressOf(options, nameOfRun(options, context.worldOptions));
     if (!progress)
-        return tl::unexpected(progress.error());
+        return Failure(progress.error());
     Result<engine::HeadlessSession> headless = engine::openHeadless(
         std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
     if (!headless)
-        return tl::unexpected(headless.error());
+        return Failure(headless.error());
     const Result<check::RunRequest> request = planCheck(options, headless->session->shareSource(), console);
     if (!request)
-        return tl::unexpected(request.error());
+        return Failure(request.error());
     if (Result<void> fits =
             engine::checkFrameFits({request->width, request->height}, options.session.samples,
                                    headless->device->capabilities(), engine::availableMemory());
         !fits)
-        return tl::unexpected(fits.error());
+        return Failure(fits.error());
     std::optional<output::CheckRecorder> recorder;
     if (!options.report.empty())
         recorder.emplace(context.worldOptions);
@@ -198,7 +198,7 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
         if (!done && console.interrupt().isRequested())
             return stopEarly(options, *progress, context, check::viewsAsked(*request), console);
         if (!done)
-            return tl::unexpected(done.error());
+            return Failure(done.error());
     }
     const check::Totals& totals = progress->totals;
     if (totals.sum().views == 0)
@@ -215,7 +215,7 @@ Result<Exit> runCheckVerb(CheckOptions options, const Console& console) {
         if (Result<void> written =
                 writeCheckReport(options, *headless->session, std::move(*recorder), totals, console);
             !written)
-            return tl::unexpected(written.error());
+            return Failure(written.error());
     }
     return totals.sum().findings() > 0 ? Exit::Finding : Exit::Done;
 }

@@ -60,10 +60,10 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
                 engine::checkMemory("--size", fmt::format("a {} of size {}", chosen.kind, chosen.size),
                                     bytesToWrite(*kind, chosen.size), engine::availableMemory());
             !fits)
-            return tl::unexpected(fits.error());
+            return Failure(fits.error());
     }
     if (Result<void> made = output::makeDirectory(directory); !made)
-        return tl::unexpected(made.error());
+        return Failure(made.error());
     std::optional<Waiting> waiting(std::in_place, console, "writing the world");
     const Result<void> written =
         kind ? worlds::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap, !chosen.bare},
@@ -71,7 +71,7 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
              : worlds::writeBuiltInWorld(directory);
     waiting.reset();
     if (!written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     const std::string title =
         kind ? fmt::format("a {} of size {}, seed {}", chosen.kind, chosen.size, chosen.seed)
              : "the built-in world";

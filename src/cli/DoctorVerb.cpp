@@ -50,7 +50,7 @@ Result<Patient> examine(const std::string& path) {
     if (path.empty()) {
         Result<engine::WorldSource> source = engine::openWorldSource("", engine::PlaceSearch::Skip);
         if (!source)
-            return tl::unexpected(source.error());
+            return Failure(source.error());
         patient.builtIn.emplace(std::move(*source));
         patient.files = doctor::examineDirectory(patient.builtIn->archive.directory());
         patient.findings.push_back({"files", doctor::Outcome::Ok, "the built-in world", ""});
@@ -108,7 +108,7 @@ std::size_t tableWidth() {
 Result<Exit> runDoctor(const DoctorArguments& arguments, const Console& console) {
     Result<Patient> patient = examine(arguments.path);
     if (!patient)
-        return tl::unexpected(patient.error());
+        return Failure(patient.error());
     doctor::Findings findings = doctor::judgeMachine(doctor::queryMachine());
     addFiles(*patient, arguments, console, findings);
     if (arguments.json)

@@ -42,7 +42,7 @@ Result<output::Picture> drawMap(const MapArguments& arguments, const engine::Wor
     if (!arguments.size.empty()) {
         const Result<engine::PixelSize> box = parseSize("--size", arguments.size);
         if (!box)
-            return tl::unexpected(box.error());
+            return Failure(box.error());
         picture = output::shrunkToFit(picture, box->width, box->height);
     }
     if (arguments.labels)
@@ -54,12 +54,12 @@ Result<output::Picture> drawMap(const MapArguments& arguments, const engine::Wor
 Result<Exit> runMap(const MapArguments& arguments, const Console& console) {
     if (!arguments.size.empty())
         if (const Result<engine::PixelSize> box = parseSize("--size", arguments.size); !box)
-            return tl::unexpected(box.error());
+            return Failure(box.error());
     if (Result<void> writable = output::checkPictureWritable(arguments.output); !writable)
-        return tl::unexpected(writable.error());
+        return Failure(writable.error());
     const Result<engine::WorldSource> source = openWorld(console, arguments.dat);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     std::optional<Progress> progress;
     const Result<engine::LandscapeMap> map =
         engine::paintMap(source->archive, arguments.scale, [&](std::size_t done, std::size_t all) {
@@ -68,12 +68,12 @@ Result<Exit> runMap(const MapArguments& arguments, const Console& console) {
             progress->step(done);
         });
     if (!map)
-        return tl::unexpected(map.error());
+        return Failure(map.error());
     const Result<output::Picture> picture = drawMap(arguments, *source, *map);
     if (!picture)
-        return tl::unexpected(picture.error());
+        return Failure(picture.error());
     if (Result<void> written = output::writePicture(arguments.output, *picture); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     progress.reset();
     console.wrote(arguments.output, contentOf(*map, *picture));
     return Exit::Done;

@@ -6,7 +6,7 @@
 namespace limen::cli {
 namespace {
 
-tl::unexpected<Error> bad(std::string_view option, std::string_view text, std::string_view wanted) {
+Failure bad(std::string_view option, std::string_view text, std::string_view wanted) {
     constexpr std::size_t kShown = 60; // keeps a message on one readable line
     std::string shown(text.substr(0, kShown));
     for (char& c : shown)
@@ -82,7 +82,7 @@ Result<Vec3> parseVec3(std::string_view option, std::string_view text) {
             return bad(option, text, "three numbers X,Y,Z such as 1,2.5,-3");
         const Result<double> number = parseNumber(option, rest.substr(0, comma));
         if (!number)
-            return tl::unexpected(number.error());
+            return Failure(number.error());
         value[i] = *number;
         rest = i == 2 ? std::string_view{} : rest.substr(comma + 1);
     }

@@ -18,7 +18,7 @@ Result<void> resize(const std::string& text, play::WalkRecord& walk) {
         return {};
     const Result<engine::PixelSize> size = parseSize("--size", text);
     if (!size)
-        return tl::unexpected(size.error());
+        return Failure(size.error());
     for (play::RecordedFrame& frame : walk.frames) {
         frame.decided = frame.input.size == *size ? frame.decided : 0;
         frame.input.size = *size;
@@ -68,7 +68,7 @@ Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t 
     const Result<engine::PixelSize> size =
         parseSize("--size", arguments.size.empty() ? "960x540" : arguments.size);
     if (!size)
-        return tl::unexpected(size.error());
+        return Failure(size.error());
     request.size = *size;
     if (!arguments.frames.empty() && !arguments.fps.empty())
         return fail(ErrorCode::BadArgument, "--fps", "--frames is given as well; give only one of the two");
@@ -88,7 +88,7 @@ Result<play::PathRequest> checkPath(const PathArguments& arguments, std::size_t 
             continue;
         const Result<double> number = parseNumberBetween(n.option, n.text, n.low, n.high);
         if (!number)
-            return tl::unexpected(number.error());
+            return Failure(number.error());
         n.value = *number;
     }
     if (count != std::floor(count))
@@ -104,7 +104,7 @@ wayPointsOf(const PathArguments& arguments, const engine::WorldSource& source, c
     if (arguments.path.empty()) {
         const Result<std::vector<world::Place>> tour = tourOf(console, source);
         if (!tour)
-            return tl::unexpected(tour.error());
+            return Failure(tour.error());
         for (const world::Place& place : *tour)
             points.push_back(engine::requestAt(place));
         if (points.empty())
@@ -115,11 +115,11 @@ wayPointsOf(const PathArguments& arguments, const engine::WorldSource& source, c
     }
     const Result<std::vector<ListedView>> views = readViews(arguments.path, {}, {}, "");
     if (!views)
-        return tl::unexpected(views.error());
+        return Failure(views.error());
     for (const ListedView& listed : *views) {
         Result<engine::ViewRequest> stand = engine::resolvePlace(listed.view, source);
         if (!stand)
-            return tl::unexpected(stand.error());
+            return Failure(stand.error());
         points.push_back(*stand);
     }
     return points;
@@ -135,23 +135,23 @@ Result<play::FramesRequest> checkFrames(const PathArguments& arguments, std::siz
     if (!arguments.walk.empty()) {
         Result<play::WalkRecord> walk = play::readWalk(arguments.walk);
         if (!walk)
-            return tl::unexpected(walk.error());
+            return Failure(walk.error());
         if (Result<void> sized = resize(arguments.size, *walk); !sized)
-            return tl::unexpected(sized.error());
+            return Failure(sized.error());
         Result<engine::ViewRequest> start = walkStart(*walk);
         if (!start)
-            return tl::unexpected(start.error());
+            return Failure(start.error());
         request.walk = std::move(*walk);
         request.walkStart = std::move(*start);
         return request;
     }
     const Result<play::PathRequest> path = checkPath(arguments, frames);
     if (!path)
-        return tl::unexpected(path.error());
+        return Failure(path.error());
     request.path = *path;
     Result<std::vector<engine::ViewRequest>> points = wayPointsOf(arguments, source, console);
     if (!points)
-        return tl::unexpected(points.error());
+        return Failure(points.error());
     request.points = std::move(*points);
     return request;
 }

@@ -13,7 +13,7 @@ constexpr double kBlockSize = 192.0;
 constexpr int kLastBlock = 0xFE;
 constexpr double kMapEnd = (kLastBlock + 1) * kBlockSize;
 
-tl::unexpected<Error> bad(std::string_view option, std::string_view what) {
+Failure bad(std::string_view option, std::string_view what) {
     return fail(ErrorCode::BadArgument, std::string(option), std::string(what));
 }
 
@@ -33,7 +33,7 @@ struct BlockAndRoot {
 Result<BlockAndRoot> parseBlock(std::string_view option, std::string_view text) {
     const Result<dat::RecordId> number = parseRecordId(option, text);
     if (!number)
-        return tl::unexpected(number.error());
+        return Failure(number.error());
     const bool wholeId = text.size() - (text.starts_with("0x") || text.starts_with("0X") ? 2 : 0) == 8;
     const dat::RecordId id = wholeId ? *number : *number << 16;
     BlockAndRoot result{dat::blockOf(id), {}};
@@ -58,7 +58,7 @@ Result<std::vector<double>> parseNumbers(std::string_view option, std::string_vi
         const std::size_t end = std::min(text.find_first_of(" \t,"), text.size());
         const Result<double> number = parseNumber(option, text.substr(0, end));
         if (!number)
-            return tl::unexpected(number.error());
+            return Failure(number.error());
         numbers.push_back(*number);
         text.remove_prefix(std::min(end + 1, text.size()));
     }
@@ -88,13 +88,13 @@ Result<PlaceNotation> parseRetail(std::string_view option, std::string_view text
         return bad(option, fmt::format("'{}' is not a cell id such as 0xA9B40031", word));
     const Result<BlockAndRoot> block = parseBlock(option, word);
     if (!block)
-        return tl::unexpected(block.error());
+        return Failure(block.error());
     const Result<std::vector<double>> local = parseNumbers(option, text.substr(open + 1, close - open - 1));
     if (!local)
-        return tl::unexpected(local.error());
+        return Failure(local.error());
     const Result<std::vector<double>> quat = parseNumbers(option, text.substr(close + 1));
     if (!quat)
-        return tl::unexpected(quat.error());
+        return Failure(quat.error());
     if (local->size() != 3 || (!quat->empty() && quat->size() != 4))
         return bad(option, "a retail location has the form 0xA9B40031 [x y z] w x y z");
     PlacePosition place;
@@ -102,7 +102,7 @@ Result<PlaceNotation> parseRetail(std::string_view option, std::string_view text
     place.root = block->root;
     if (!quat->empty()) {
         if (const Result<void> set = setHeading(option, *quat, place); !set)
-            return tl::unexpected(set.error());
+            return Failure(set.error());
     }
     return place;
 }
@@ -158,10 +158,10 @@ Result<PlaceNotation> parsePlace(std::string_view option, std::string_view text)
         clean.find(',') != std::string_view::npos) {
         const Result<BlockAndRoot> block = parseBlock(option, clean.substr(0, dot));
         if (!block)
-            return tl::unexpected(block.error());
+            return Failure(block.error());
         const Result<Vec3> local = parseVec3(option, clean.substr(dot + 1));
         if (!local)
-            return tl::unexpected(local.error());
+            return Failure(local.error());
         PlacePosition place;
         place.eye = globalOf(block->block, *local);
         place.root = block->root;

@@ -64,7 +64,7 @@ std::string jsonOf(const world::WorldFile& file) {
 Result<Exit> runPlaces(const PlacesOptions& options, const Console& console) {
     const Result<engine::WorldSource> source = openWorld(console, options.dat);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     if (source->file.places.empty() && !options.json)
         console.note("limen: this world has no places; give a position with --eye X,Y,Z");
     console.data(options.json ? jsonOf(source->file) : tableOf(source->file));

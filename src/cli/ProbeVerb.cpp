@@ -24,10 +24,10 @@ constexpr std::size_t kProbeFrames = 2000; // default of --frames
 Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     Result<play::FramesRequest> request = checkFrames(options.path, kProbeFrames, *source, console);
     if (!request)
-        return tl::unexpected(request.error());
+        return Failure(request.error());
     gpu::NullDevice device; // the decisions do not depend on a driver
     engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
                             device);
@@ -35,7 +35,7 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
     const Result<std::unique_ptr<play::FrameSource>> frames = play::openFrames(session, std::move(*request));
     waiting.reset();
     if (!frames)
-        return tl::unexpected(frames.error());
+        return Failure(frames.error());
     const std::size_t count = (*frames)->count();
     output::Probe probe;
     Progress progress(console, "probe", count);
@@ -47,9 +47,9 @@ Result<Exit> runProbe(const ProbeOptions& options, const Console& console) {
         }
         const Result<const engine::FrameRequest*> next = (*frames)->next();
         if (!next)
-            return tl::unexpected(next.error());
+            return Failure(next.error());
         if (Result<void> drawn = session.draw(**next, {}); !drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         const std::string lines = probe.see({frame, (*next)->scene.seconds, session.part().world, **next,
                                              session.visible(), session.plan(), session.figures().glCalls});
         if (!lines.empty())

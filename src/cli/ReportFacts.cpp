@@ -90,7 +90,7 @@ Result<void> checkReportPlace(const std::string& directory) {
 
 Result<std::string> writeReport(const std::string& directory, const std::string& page) {
     if (Result<void> written = output::writeFile(pageOf(directory), std::string_view(page)); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     return pageOf(directory).string();
 }
 

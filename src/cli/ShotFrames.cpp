@@ -32,11 +32,11 @@ Result<output::Picture> drawInTiles(engine::Session& session, const engine::Fram
     Result<engine::LargePicture> large =
         engine::LargePicture::begin(session, request, {.supersample = supersample});
     if (!large)
-        return tl::unexpected(large.error());
+        return Failure(large.error());
     Progress progress(console, "tiles", large->tiles());
     while (!large->isDone()) {
         if (Result<void> drawn = large->drawNext(session); !drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         progress.step(large->drawn());
     }
     output::Picture picture;
@@ -52,7 +52,7 @@ Result<output::Picture> drawPicture(engine::Session& session, const engine::Fram
     if (supersample > 1 || std::max(request.size.width, request.size.height) > kInOnePiece)
         return drawInTiles(session, request, supersample, console);
     if (Result<void> drawn = session.draw(request, {.ids = false}); !drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     return output::pictureFromRgba(request.size.width, request.size.height, session.target().readColour());
 }
 
@@ -61,7 +61,7 @@ Result<void> writePictures(engine::Session& session, const engine::FrameRequest&
                            const OutputPaths& outputs, std::uint32_t supersample, const Console& console) {
     Result<output::Picture> drawn = drawPicture(session, request, supersample, console);
     if (!drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     output::Picture& picture = *drawn;
     if (!outputs.frame.empty()) {
         if (Result<void> written = output::writePicture(outputs.frame, picture); !written)
@@ -118,7 +118,7 @@ Result<void> shoot(engine::Session& session, const ListedView& listed, std::uint
     const Result<engine::FrameRequest> request =
         requestOf(session.part(), session.source().file, listed.view, console);
     if (!request)
-        return tl::unexpected(request.error());
+        return Failure(request.error());
     const OutputPaths& outputs = listed.outputs;
     const bool measure = !outputs.ids.empty() || !outputs.depth.empty() || !outputs.json.empty();
     const bool paint = !outputs.frame.empty() || !outputs.overlay.empty() || !measure;

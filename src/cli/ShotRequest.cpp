@@ -25,7 +25,7 @@ Result<void> take(const std::string& text, const char* option, Parse parse, T& v
         return {};
     auto parsed = parse(option, text);
     if (!parsed)
-        return tl::unexpected(std::move(parsed.error()));
+        return Failure(std::move(parsed.error()));
     value = std::move(*parsed);
     return {};
 }
@@ -161,7 +161,7 @@ Result<void> checkDoors(const ViewArguments& a, engine::ViewRequest& view) {
                         "'" + text + "' is not NAME=0..1, such as inn.front=0.25");
         const Result<double> open = parseNumberBetween("--door", text.substr(sign + 1), 0.0, 1.0);
         if (!open)
-            return tl::unexpected(open.error());
+            return Failure(open.error());
         view.scene.eachDoor.push_back({text.substr(0, sign), *open});
     }
     if (view.scene.doors && !view.scene.eachDoor.empty())
@@ -198,37 +198,37 @@ Result<void> checkBody(const ViewArguments& a, engine::ViewRequest& view) {
 Result<engine::ViewRequest> checkView(const ViewArguments& a) {
     engine::ViewRequest view;
     if (Result<void> r = checkPosition(a, view); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     const auto between = [](double low, double high) {
         return [low, high](std::string_view option, std::string_view text) {
             return parseNumberBetween(option, text, low, high);
         };
     };
     if (Result<void> r = take(a.yaw, "--yaw", parseNumber, view.yaw); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = take(a.pitch, "--pitch", between(-90.0, 90.0), view.pitch); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = take(a.fov, "--fov", between(0.1, 179.0), view.fov); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = take(a.size, "--size", parseSize, view.size); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = take(a.time, "--time", between(0.0, 1.0), view.scene.time); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     view.scene.day.day = a.day;
     if (Result<void> r = take(a.date, "--date", parseDate, view.scene.day.date); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = take(a.weather, "--weather", parseWeather, view.scene.weather); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = take(a.look, "--look", parseLook, view.scene.look); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = take(a.seconds, "--seconds", between(-1e9, 1e9), view.scene.seconds); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = take(a.doors, "--doors", parseDoors, view.scene.doors); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = checkDoors(a, view); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     if (Result<void> r = checkBody(a, view); !r)
-        return tl::unexpected(r.error());
+        return Failure(r.error());
     return view;
 }
 
@@ -293,7 +293,7 @@ Result<std::vector<ListedView>> readViews(const std::filesystem::path& file, con
                                           const std::filesystem::path& directory) {
     const Result<std::string> text = output::readTextFile(file, kMaxListFile);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     std::vector<ListedView> views;
     std::size_t lineNumber = 0;
     for (std::string_view rest = *text; !rest.empty();) {
@@ -306,7 +306,7 @@ Result<std::vector<ListedView>> readViews(const std::filesystem::path& file, con
         Result<ListedView> view = readView(line, fmt::format("{} line {}", file.string(), lineNumber), common,
                                            commonOutputs, directory, views.size());
         if (!view)
-            return tl::unexpected(view.error());
+            return Failure(view.error());
         views.push_back(std::move(*view));
     }
     if (views.empty())

@@ -37,7 +37,7 @@ Result<std::vector<ListedView>> viewsOf(const ShotOptions& options) {
     if (options.views.empty()) {
         Result<engine::ViewRequest> view = checkView(options.view);
         if (!view)
-            return tl::unexpected(view.error());
+            return Failure(view.error());
         return std::vector<ListedView>{{std::move(*view), options.outputs}};
     }
     OutputPaths common = options.outputs;
@@ -86,7 +86,7 @@ Result<void> trace(engine::PartPlanner& loaded, reference::Scene& scene, const e
     const engine::LoadedPart& part = *loaded.part;
     const Result<engine::FrameRequest> request = requestOf(part, source.file, listed.view, console);
     if (!request)
-        return tl::unexpected(request.error());
+        return Failure(request.error());
     world::DynamicState dynamics;
     loaded.dynamics.build(engine::dynamicsInput(part.world, *request), dynamics);
     scene.setDynamics(dynamics);
@@ -180,11 +180,11 @@ Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& opt
             const Result<world::MovingEntries> moving =
                 engine::movingAround(source, target.centre, target.options);
             if (!moving)
-                return tl::unexpected(moving.error());
+                return Failure(moving.error());
             Result<std::shared_ptr<const engine::LoadedPart>> next =
                 engine::loadPart(source.archive, target, *moving);
             if (!next)
-                return tl::unexpected(next.error());
+                return Failure(next.error());
             loaded = std::make_unique<engine::PartPlanner>(std::move(*next));
             scene.emplace(loaded->part->world);
             if (const std::string findings = engine::findingsLine(loaded->part->world);
@@ -192,7 +192,7 @@ Result<Exit> runTraced(const engine::WorldSource& source, const ShotOptions& opt
                 console.note(findings);
         }
         if (Result<void> traced = trace(*loaded, *scene, source, views[i], console); !traced)
-            return tl::unexpected(traced.error());
+            return Failure(traced.error());
         progress.step(++done);
     }
     report(options, views, console);
@@ -242,26 +242,26 @@ engine::SessionOptions sessionOptionsFor(const ShotOptions& options, const std::
 Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     Result<std::vector<ListedView>> views = viewsOf(options);
     if (!views)
-        return tl::unexpected(views.error());
+        return Failure(views.error());
     if (Result<void> written = checkSomethingIsWritten(*views); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     if (Result<void> traceable = options.reference ? checkTraceable(*views) : Result<void>{}; !traceable)
-        return tl::unexpected(traceable.error());
+        return Failure(traceable.error());
     if (Result<void> checked = checkSupersampling(options, *views); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     if (Result<void> checked = checkAllOutputs(options, *views); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     const bool namesPlaces = std::any_of(views->begin(), views->end(), [](const ListedView& listed) {
         return listed.view.isAtStart || !listed.view.place.empty();
     });
     Result<engine::WorldSource> source = openWorld(
         console, options.session.dat, namesPlaces ? engine::PlaceSearch::Find : engine::PlaceSearch::Skip);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     for (ListedView& listed : *views) {
         Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(listed.view), *source);
         if (!resolved)
-            return tl::unexpected(resolved.error());
+            return Failure(resolved.error());
         listed.view = std::move(*resolved);
     }
     if (options.reference)
@@ -269,10 +269,10 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
     Result<engine::HeadlessSession> headless = engine::openHeadless(
         std::make_shared<const engine::WorldSource>(std::move(*source)), sessionOptionsFor(options, *views));
     if (!headless)
-        return tl::unexpected(headless.error());
+        return Failure(headless.error());
     engine::Session& session = *headless->session;
     if (Result<void> fit = checkViewsFit(*views, options, headless->device->capabilities()); !fit)
-        return tl::unexpected(fit.error());
+        return Failure(fit.error());
     Progress progress(console, "shot", views->size());
     std::size_t done = 0;
     if (views->size() > 1)
@@ -282,12 +282,12 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
             return stopped(done, views->size(), console);
         const bool first = !session.isLoaded();
         if (Result<void> loaded = loadFor(session, (*views)[i], console); !loaded)
-            return tl::unexpected(loaded.error());
+            return Failure(loaded.error());
         if (const std::string findings = engine::findingsLine(session.part().world);
             first && !findings.empty())
             console.note(findings);
         if (Result<void> shot = shoot(session, (*views)[i], options.supersample, console); !shot)
-            return tl::unexpected(shot.error());
+            return Failure(shot.error());
         progress.step(++done);
     }
     report(options, *views, console);

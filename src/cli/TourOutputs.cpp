@@ -51,29 +51,29 @@ Result<TourOutputs> TourOutputs::open(const TourOutputOptions& options) {
                     "no output is given; use -o DIR for pictures, --film FILE or --report DIR");
     const Result<output::PictureFormat> format = output::pictureFormatOf("frame." + options.format);
     if (!format)
-        return tl::unexpected(format.error());
+        return Failure(format.error());
     outputs.format_ = *format;
     if (!options.filmRate.empty()) {
         const Result<double> rate = parseNumberBetween("--film-rate", options.filmRate, 0.1, 240.0);
         if (!rate)
-            return tl::unexpected(rate.error());
+            return Failure(rate.error());
         outputs.filmRate_ = *rate;
     }
     if (!options.film.empty()) {
         if (const auto film = output::filmFormatOf(options.film); !film)
-            return tl::unexpected(film.error());
+            return Failure(film.error());
         const char* searchPath = std::getenv("PATH");
         Result<std::filesystem::path> ffmpeg = output::findFfmpeg(searchPath == nullptr ? "" : searchPath);
         if (!ffmpeg)
-            return tl::unexpected(ffmpeg.error());
+            return Failure(ffmpeg.error());
         outputs.ffmpeg_ = std::move(*ffmpeg);
         if (Result<void> writable = output::checkWritable(options.film); !writable)
-            return tl::unexpected(writable.error());
+            return Failure(writable.error());
     }
     if (Result<void> place = checkPictureDirectory(options, *format); !place)
-        return tl::unexpected(place.error());
+        return Failure(place.error());
     if (Result<void> place = checkReportPlace(options.report); !place)
-        return tl::unexpected(place.error());
+        return Failure(place.error());
     return outputs;
 }
 
@@ -99,7 +99,7 @@ Result<void> TourOutputs::addToFilm(const output::Picture& picture) {
         Result<output::Film> film = output::Film::start(ffmpeg_, options_.film, picture.width, picture.height,
                                                         filmRate_.value_or(framesPerSecond_));
         if (!film)
-            return tl::unexpected(film.error());
+            return Failure(film.error());
         film_.emplace(std::move(*film));
     }
     return film_->add(picture);
@@ -130,13 +130,13 @@ Result<std::vector<WrittenOutput>> TourOutputs::finish(const engine::Session& se
     if (sheet_) {
         const std::filesystem::path sheet = contactSheetOf(options_, format_);
         if (Result<void> written = output::writePicture(sheet, sheet_->compose()); !written)
-            return tl::unexpected(written.error());
+            return Failure(written.error());
         outputs.push_back(
             {options_.directory, fmt::format("{} frames and {}", frames_, sheet.filename().string())});
     }
     if (film_) {
         if (Result<void> finished = film_->finish(); !finished)
-            return tl::unexpected(finished.error());
+            return Failure(finished.error());
         const double rate = filmRate_.value_or(framesPerSecond_);
         outputs.push_back({options_.film, fmt::format("a film of {} frames ({:.1f} s at {:g} a second)",
                                                       frames_, static_cast<double>(frames_) / rate, rate)});
@@ -149,7 +149,7 @@ Result<std::vector<WrittenOutput>> TourOutputs::finish(const engine::Session& se
         report.framesPerSecond = framesPerSecond_;
         const Result<std::string> page = writeReport(options_.report, output::tourPage(report));
         if (!page)
-            return tl::unexpected(page.error());
+            return Failure(page.error());
         outputs.push_back({*page, "the report"});
     }
     return outputs;

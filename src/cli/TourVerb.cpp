@@ -84,7 +84,7 @@ Result<TourFrames> checkPathFrames(const TourOptions& options, const engine::Wor
         arguments.fps = fmt::format("{:g}", kFilmRate); // a film shows the path at its own pace
     Result<play::FramesRequest> request = checkFrames(arguments, kTourFrames, source, console);
     if (!request)
-        return tl::unexpected(request.error());
+        return Failure(request.error());
     TourFrames frames;
     if (request->walk)
         frames.framesPerSecond = rateOf(*request->walk);
@@ -98,12 +98,12 @@ Result<TourFrames> checkTurnTable(const TourOptions& options, const world::World
     PathArguments arguments = options.path;
     const Result<play::PathRequest> path = checkPath(arguments, kTurnTableFrames);
     if (!path)
-        return tl::unexpected(path.error());
+        return Failure(path.error());
     play::TurnTableRequest request;
     if (!options.distance.empty()) {
         const Result<double> distance = parseNumberBetween("--distance", options.distance, 0.0, 500.0);
         if (!distance)
-            return tl::unexpected(distance.error());
+            return Failure(distance.error());
         request.distance = *distance;
     }
     if (!options.at.empty()) {
@@ -111,14 +111,14 @@ Result<TourFrames> checkTurnTable(const TourOptions& options, const world::World
         place.at = options.at;
         Result<engine::ViewRequest> view = checkView(place);
         if (!view)
-            return tl::unexpected(view.error());
+            return Failure(view.error());
         request.centre = std::move(*view);
     } else {
         request.centre.isAtStart = true;
     }
     Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(request.centre), file);
     if (!resolved)
-        return tl::unexpected(resolved.error());
+        return Failure(resolved.error());
     request.centre = std::move(*resolved);
     request.centre.fov = path->fov;
     request.centre.size = path->size;
@@ -169,11 +169,11 @@ Result<Exit> drawTour(engine::Session& session, play::FrameSource& frames, TourO
         }
         const Result<const engine::FrameRequest*> next = frames.next();
         if (!next)
-            return tl::unexpected(next.error());
+            return Failure(next.error());
         if (Result<void> drawn = session.draw(**next, {.ids = false}); !drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         if (Result<void> written = outputs.add(session, **next, frame); !written)
-            return tl::unexpected(written.error());
+            return Failure(written.error());
         if (options.json)
             console.data(statsLine(session, **next, frame));
         progress.step(frame + 1);
@@ -187,28 +187,28 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
                     "belongs to a turn-table; add --turn-table");
     Result<TourOutputs> outputs = TourOutputs::open(options.outputs);
     if (!outputs)
-        return tl::unexpected(outputs.error());
+        return Failure(outputs.error());
     Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     Result<TourFrames> request = options.turnTable ? checkTurnTable(options, source->file)
                                                    : checkPathFrames(options, *source, console);
     if (!request)
-        return tl::unexpected(request.error());
+        return Failure(request.error());
     Result<engine::HeadlessSession> headless = engine::openHeadless(
         std::make_shared<const engine::WorldSource>(std::move(*source)), options.session);
     if (!headless)
-        return tl::unexpected(headless.error());
+        return Failure(headless.error());
     engine::Session& session = *headless->session;
     if (Result<void> fits = engine::checkFrameFits(
             sizeOf(*request), session.samples(), headless->device->capabilities(), engine::availableMemory());
         !fits)
-        return tl::unexpected(fits.error());
+        return Failure(fits.error());
     std::optional<Waiting> waiting(std::in_place, console, "loading the world");
     const Result<std::unique_ptr<play::FrameSource>> frames = openTourFrames(session, *request);
     waiting.reset();
     if (!frames)
-        return tl::unexpected(frames.error());
+        return Failure(frames.error());
     const std::string findings = engine::findingsLine(session.part().world);
     if (!findings.empty())
         console.note(findings);
@@ -222,7 +222,7 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     const Result<std::vector<WrittenOutput>> written =
         outputs->finish(session, options.command, {findings, difference});
     if (!written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     for (const WrittenOutput& output : *written)
         console.wrote(output.path, output.content);
     return Exit::Done;

@@ -56,21 +56,21 @@ Result<Script> scriptOf(const ViewOptions& options) {
     if (!options.frames.empty()) {
         const Result<double> frames = parseNumberBetween("--frames", options.frames, 1.0, 1e9);
         if (!frames)
-            return tl::unexpected(frames.error());
+            return Failure(frames.error());
         script.frames = static_cast<std::size_t>(*frames);
         script.step = kStep;
     }
     if (!options.step.empty()) {
         const Result<double> step = parseNumberBetween("--step", options.step, 0.001, 1.0);
         if (!step)
-            return tl::unexpected(step.error());
+            return Failure(step.error());
         script.step = *step;
     }
     if (!options.screenshot.empty() && script.frames == 0)
         return fail(ErrorCode::BadArgument, "--screenshot", "needs a last frame; give --frames N as well");
     Result<viewer::ViewerKeys> keys = keysOf(options);
     if (!keys)
-        return tl::unexpected(keys.error());
+        return Failure(keys.error());
     script.keys = std::move(*keys);
     return script;
 }
@@ -114,14 +114,14 @@ Result<Exit> runWindow(viewer::Window& window, viewer::Application& application,
     application.open(options.session.dat);
     if (options.isScript()) // its frames must not depend on the machine's speed
         if (Result<void> opened = application.finishOpening(); !opened)
-            return tl::unexpected(opened.error());
+            return Failure(opened.error());
     std::size_t frames = 0;
     const Result<void> ran = loop(window, application, signals, script, options, console, frames);
     const Result<void> saved = application.save();
     printNotes(application, console);
     for (const Result<void>& result : {ran, saved})
         if (!result)
-            return tl::unexpected(result.error());
+            return Failure(result.error());
     if (window.isLost())
         return fail(ErrorCode::Driver, "view", "the connection to the display was lost");
     if (options.json)
@@ -151,7 +151,7 @@ Result<void> takeScale(const ViewOptions& options, viewer::ApplicationOptions& a
         const Result<std::optional<double>> percent =
             parseNumberOrAuto("--scale", options.scale, viewer::kLeastScale, viewer::kFullScale);
         if (!percent)
-            return tl::unexpected(percent.error());
+            return Failure(percent.error());
         application.scale = static_cast<std::uint32_t>(percent->value_or(0.0)); // 0: automatic
     } else if (options.isScript()) {
         application.scale = viewer::kFullScale;
@@ -166,7 +166,7 @@ Result<void> takeScale(const ViewOptions& options, viewer::ApplicationOptions& a
 Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options, Script& script) {
     Result<engine::ViewRequest> view = viewIn(options);
     if (!view)
-        return tl::unexpected(view.error());
+        return Failure(view.error());
     viewer::ApplicationOptions application;
     application.session = options.session;
     application.isQualityFixed = options.isQualityGiven;
@@ -183,11 +183,11 @@ Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options
     if (!options.uiScale.empty()) {
         const Result<double> scale = parseNumberBetween("--ui-scale", options.uiScale, 0.5, 4.0);
         if (!scale)
-            return tl::unexpected(scale.error());
+            return Failure(scale.error());
         application.uiScale = *scale;
     }
     if (Result<void> scaled = takeScale(options, application); !scaled)
-        return tl::unexpected(scaled.error());
+        return Failure(scaled.error());
     if (!options.isScript()) {
         application.settingsFile = viewer::settingsPath();
         application.settings = viewer::readSettings(application.settingsFile);
@@ -212,19 +212,19 @@ Result<Exit> runView(const ViewOptions& options, const Console& console) {
     viewer::Signals signals; // before threads start
     Result<Script> script = scriptOf(options);
     if (!script)
-        return tl::unexpected(script.error());
+        return Failure(script.error());
     if (Result<void> checked = checkFiles(options); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     Result<viewer::ApplicationOptions> application = applicationOptions(options, *script);
     if (!application)
-        return tl::unexpected(application.error());
+        return Failure(application.error());
     const Result<std::unique_ptr<viewer::Window>> window =
         viewer::Window::open("Limen", application->view.size);
     if (!window)
-        return tl::unexpected(window.error());
+        return Failure(window.error());
     const Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
     if (!device)
-        return tl::unexpected(device.error());
+        return Failure(device.error());
     viewer::Application shown(**window, **device, std::move(*application));
     return runWindow(**window, shown, signals, *script, options, console);
 }

@@ -32,15 +32,15 @@ std::string listed(const char* title, const List& list) {
 Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     const Result<play::PathRequest> request = checkPath(options.path, 1);
     if (!request)
-        return tl::unexpected(request.error());
+        return Failure(request.error());
     if (Result<void> writable = output::checkWritable(options.output); !writable)
-        return tl::unexpected(writable.error());
+        return Failure(writable.error());
     Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     const Result<std::vector<engine::ViewRequest>> points = wayPointsOf(options.path, *source, console);
     if (!points)
-        return tl::unexpected(points.error());
+        return Failure(points.error());
     gpu::NullDevice device; // the walk needs no pictures
     engine::Session session(std::make_shared<const engine::WorldSource>(std::move(*source)), options.session,
                             device);
@@ -48,17 +48,17 @@ Result<Exit> runWalk(const WalkOptions& options, const Console& console) {
     const Result<play::PathStart> start = play::startPath(session, *points, *request);
     waiting.reset();
     if (!start)
-        return tl::unexpected(start.error());
+        return Failure(start.error());
     Progress progress(console, "walk", points->size());
     const Result<play::FootWalk> walk = play::walkOnFoot(session, start->frame, *points, options.foot,
                                                          [&](std::size_t done) { progress.step(done); });
     if (!walk)
-        return tl::unexpected(walk.error());
+        return Failure(walk.error());
     std::string text = play::beginningLine(walk->record.start);
     for (const play::RecordedFrame& frame : walk->record.frames)
         text += play::frameLine(frame);
     if (Result<void> written = output::writeFile(options.output, text); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     console.wrote(options.output,
                   fmt::format("{} frames to {} way points{}{}", walk->record.frames.size(), points->size(),
                               listed("; not reached: ", walk->missed), listed("; jumped to ", walk->jumps)));

@@ -8,8 +8,8 @@ std::string Error::message() const {
     return where.empty() ? what : where + ": " + what;
 }
 
-tl::unexpected<Error> fail(ErrorCode code, std::string where, std::string what) {
-    return tl::unexpected<Error>(Error{code, std::move(where), std::move(what)});
+Failure fail(ErrorCode code, std::string where, std::string what) {
+    return Failure(Error{code, std::move(where), std::move(what)});
 }
 
 } // namespace limen

@@ -69,10 +69,10 @@ Result<Archive> Archive::open(const std::filesystem::path& directory) {
 Result<Archive> Archive::open(const ArchivePaths& paths) {
     auto portal = openAs(paths.portal, FileRole::Portal);
     if (!portal)
-        return tl::unexpected(portal.error());
+        return Failure(portal.error());
     auto cell = openAs(paths.cell, FileRole::Cell);
     if (!cell)
-        return tl::unexpected(cell.error());
+        return Failure(cell.error());
     Archive archive(paths.directory, std::move(*portal), std::move(*cell));
     const auto openIfNamed = [](const std::filesystem::path& path, FileRole role,
                                 std::optional<File>& into) -> Result<void> {
@@ -80,14 +80,14 @@ Result<Archive> Archive::open(const ArchivePaths& paths) {
             return {};
         auto file = openAs(path, role);
         if (!file)
-            return tl::unexpected(file.error());
+            return Failure(file.error());
         into = std::move(*file);
         return {};
     };
     if (auto done = openIfNamed(paths.highres, FileRole::Highres, archive.highres_); !done)
-        return tl::unexpected(done.error());
+        return Failure(done.error());
     if (auto done = openIfNamed(paths.local, FileRole::Local, archive.local_); !done)
-        return tl::unexpected(done.error());
+        return Failure(done.error());
     return archive;
 }
 
@@ -110,7 +110,7 @@ Result<Record> Archive::load(RecordId id) const {
     Bytes scratch;
     const auto payload = file.read(id, scratch);
     if (!payload)
-        return tl::unexpected(payload.error());
+        return Failure(payload.error());
     auto record = decode<Record>(id, *payload);
     if (!record)
         record.error().where = file.name() + ", " + record.error().where;

@@ -19,7 +19,7 @@ struct ArchivePaths {
 
 /// The files of one world: `client_portal.dat` and `client_cell_1.dat`; `client_highres.dat` and
 /// `client_local_English.dat` are optional. Safe to read from several threads.
-class Archive {
+class LIMEN_API Archive {
 public:
     /// Errors: the directory does not exist; a required file is missing, of another format or damaged; a
     /// file's role is not that of its name.

@@ -31,85 +31,85 @@ template <class Record>
 [[nodiscard]] Bytes encode(const Record& record);
 
 template <>
-Result<GfxObj> decode<GfxObj>(RecordId, ByteView);
+LIMEN_API Result<GfxObj> decode<GfxObj>(RecordId, ByteView);
 template <>
-Result<Setup> decode<Setup>(RecordId, ByteView);
+LIMEN_API Result<Setup> decode<Setup>(RecordId, ByteView);
 template <>
-Result<Animation> decode<Animation>(RecordId, ByteView);
+LIMEN_API Result<Animation> decode<Animation>(RecordId, ByteView);
 template <>
-Result<Palette> decode<Palette>(RecordId, ByteView);
+LIMEN_API Result<Palette> decode<Palette>(RecordId, ByteView);
 template <>
-Result<SurfaceTexture> decode<SurfaceTexture>(RecordId, ByteView);
+LIMEN_API Result<SurfaceTexture> decode<SurfaceTexture>(RecordId, ByteView);
 template <>
-Result<RenderSurface> decode<RenderSurface>(RecordId, ByteView);
+LIMEN_API Result<RenderSurface> decode<RenderSurface>(RecordId, ByteView);
 template <>
-Result<Surface> decode<Surface>(RecordId, ByteView);
+LIMEN_API Result<Surface> decode<Surface>(RecordId, ByteView);
 template <>
-Result<MotionTable> decode<MotionTable>(RecordId, ByteView);
+LIMEN_API Result<MotionTable> decode<MotionTable>(RecordId, ByteView);
 template <>
-Result<Environment> decode<Environment>(RecordId, ByteView);
+LIMEN_API Result<Environment> decode<Environment>(RecordId, ByteView);
 template <>
-Result<PaletteSet> decode<PaletteSet>(RecordId, ByteView);
+LIMEN_API Result<PaletteSet> decode<PaletteSet>(RecordId, ByteView);
 template <>
-Result<ClothingTable> decode<ClothingTable>(RecordId, ByteView);
+LIMEN_API Result<ClothingTable> decode<ClothingTable>(RecordId, ByteView);
 template <>
-Result<DegradeInfo> decode<DegradeInfo>(RecordId, ByteView);
+LIMEN_API Result<DegradeInfo> decode<DegradeInfo>(RecordId, ByteView);
 template <>
-Result<Scene> decode<Scene>(RecordId, ByteView);
+LIMEN_API Result<Scene> decode<Scene>(RecordId, ByteView);
 template <>
-Result<Region> decode<Region>(RecordId, ByteView);
+LIMEN_API Result<Region> decode<Region>(RecordId, ByteView);
 template <>
-Result<ParticleEmitter> decode<ParticleEmitter>(RecordId, ByteView);
+LIMEN_API Result<ParticleEmitter> decode<ParticleEmitter>(RecordId, ByteView);
 template <>
-Result<PhysicsScript> decode<PhysicsScript>(RecordId, ByteView);
+LIMEN_API Result<PhysicsScript> decode<PhysicsScript>(RecordId, ByteView);
 template <>
-Result<PhysicsScriptTable> decode<PhysicsScriptTable>(RecordId, ByteView);
+LIMEN_API Result<PhysicsScriptTable> decode<PhysicsScriptTable>(RecordId, ByteView);
 template <>
-Result<LandBlock> decode<LandBlock>(RecordId, ByteView);
+LIMEN_API Result<LandBlock> decode<LandBlock>(RecordId, ByteView);
 template <>
-Result<LandBlockInfo> decode<LandBlockInfo>(RecordId, ByteView);
+LIMEN_API Result<LandBlockInfo> decode<LandBlockInfo>(RecordId, ByteView);
 template <>
-Result<EnvCell> decode<EnvCell>(RecordId, ByteView);
+LIMEN_API Result<EnvCell> decode<EnvCell>(RecordId, ByteView);
 
 template <>
-Bytes encode<GfxObj>(const GfxObj&);
+LIMEN_API Bytes encode<GfxObj>(const GfxObj&);
 template <>
-Bytes encode<Setup>(const Setup&);
+LIMEN_API Bytes encode<Setup>(const Setup&);
 template <>
-Bytes encode<Animation>(const Animation&);
+LIMEN_API Bytes encode<Animation>(const Animation&);
 template <>
-Bytes encode<Palette>(const Palette&);
+LIMEN_API Bytes encode<Palette>(const Palette&);
 template <>
-Bytes encode<SurfaceTexture>(const SurfaceTexture&);
+LIMEN_API Bytes encode<SurfaceTexture>(const SurfaceTexture&);
 template <>
-Bytes encode<RenderSurface>(const RenderSurface&);
+LIMEN_API Bytes encode<RenderSurface>(const RenderSurface&);
 template <>
-Bytes encode<Surface>(const Surface&);
+LIMEN_API Bytes encode<Surface>(const Surface&);
 template <>
-Bytes encode<MotionTable>(const MotionTable&);
+LIMEN_API Bytes encode<MotionTable>(const MotionTable&);
 template <>
-Bytes encode<Environment>(const Environment&);
+LIMEN_API Bytes encode<Environment>(const Environment&);
 template <>
-Bytes encode<PaletteSet>(const PaletteSet&);
+LIMEN_API Bytes encode<PaletteSet>(const PaletteSet&);
 template <>
-Bytes encode<ClothingTable>(const ClothingTable&);
+LIMEN_API Bytes encode<ClothingTable>(const ClothingTable&);
 template <>
-Bytes encode<DegradeInfo>(const DegradeInfo&);
+LIMEN_API Bytes encode<DegradeInfo>(const DegradeInfo&);
 template <>
-Bytes encode<Scene>(const Scene&);
+LIMEN_API Bytes encode<Scene>(const Scene&);
 template <>
-Bytes encode<Region>(const Region&);
+LIMEN_API Bytes encode<Region>(const Region&);
 template <>
-Bytes encode<ParticleEmitter>(const ParticleEmitter&);
+LIMEN_API Bytes encode<ParticleEmitter>(const ParticleEmitter&);
 template <>
-Bytes encode<PhysicsScript>(const PhysicsScript&);
+LIMEN_API Bytes encode<PhysicsScript>(const PhysicsScript&);
 template <>
-Bytes encode<PhysicsScriptTable>(const PhysicsScriptTable&);
+LIMEN_API Bytes encode<PhysicsScriptTable>(const PhysicsScriptTable&);
 template <>
-Bytes encode<LandBlock>(const LandBlock&);
+LIMEN_API Bytes encode<LandBlock>(const LandBlock&);
 template <>
-Bytes encode<LandBlockInfo>(const LandBlockInfo&);
+LIMEN_API Bytes encode<LandBlockInfo>(const LandBlockInfo&);
 template <>
-Bytes encode<EnvCell>(const EnvCell&);
+LIMEN_API Bytes encode<EnvCell>(const EnvCell&);
 
 } // namespace limen::dat

@@ -20,7 +20,7 @@ struct File::Impl {
         std::vector<std::string> warnings;
         const auto header = readHeader(mapping.bytes(), name, warnings);
         if (!header)
-            return tl::unexpected(header.error());
+            return Failure(header.error());
         auto impl = std::make_unique<Impl>(std::move(mapping), std::move(name), *header, std::move(warnings));
         if (auto root = impl->tree.checkRoot(); !root)
             return impl->explained(std::move(root.error()));
@@ -28,14 +28,14 @@ struct File::Impl {
     }
 
     /// The error. Adds that the file is too short if that may be the cause.
-    [[nodiscard]] tl::unexpected<Error> explained(Error error) const {
+    [[nodiscard]] Failure explained(Error error) const {
         const std::size_t length = mapping.bytes().size();
         if (error.code == ErrorCode::Malformed && length < header.fileSize)
             error.what += fmt::format(" (the file is cut short: {} of {} bytes)", length, header.fileSize);
-        return tl::unexpected(std::move(error));
+        return Failure(std::move(error));
     }
 
-    [[nodiscard]] tl::unexpected<Error> bad(const Entry& entry, std::string reason) const {
+    [[nodiscard]] Failure bad(const Entry& entry, std::string reason) const {
         return explained(
             {ErrorCode::Malformed, fmt::format("{}, record 0x{:08X}", name, entry.id), std::move(reason)});
     }
@@ -56,7 +56,7 @@ File::~File() = default;
 Result<File> File::open(const std::filesystem::path& path) {
     auto mapping = Mapping::open(path);
     if (!mapping)
-        return tl::unexpected(mapping.error());
+        return Failure(mapping.error());
     return Impl::make(std::move(*mapping), path.string()).map([](auto impl) {
         return File(std::move(impl));
     });
@@ -166,7 +166,7 @@ Result<ByteView> File::read(const Entry& entry, Bytes& scratch) const {
 Result<ByteView> File::read(RecordId id, Bytes& scratch) const {
     const auto entry = find(id);
     if (!entry)
-        return tl::unexpected(entry.error());
+        return Failure(entry.error());
     if (!*entry)
         return fail(ErrorCode::NotFound, impl_->name, fmt::format("there is no record 0x{:08X}", id));
     return read(**entry, scratch);

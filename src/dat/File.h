@@ -45,7 +45,7 @@ struct FreeList {
 /// A memory-mapped dat file. Bytes are read on use. All const members may be called from several threads at
 /// once. Every rule of docs/formats/container.md#damage is checked when the bytes are used: a damaged node or chain
 /// gives an Error, never a crash, an endless loop or a large allocation.
-class File {
+class LIMEN_API File {
 public:
     /// Opens the file and checks the header and the root node. Errors: Unsupported for a file from before the
     /// end of retail (other magic, other header layout); the message says so.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/Api.h"
+
 #include <cstdint>
 #include <string>
 
@@ -41,14 +43,14 @@ enum class RecordKind {
 /// The meaning of an id depends on the file: a portal (or highres, local) file or a cell file.
 enum class FileRole { Portal, Cell, Highres, Local };
 
-[[nodiscard]] RecordKind kindOf(FileRole role, RecordId id);
+[[nodiscard]] LIMEN_API RecordKind kindOf(FileRole role, RecordId id);
 /// Whether records of this kind are in the cell file.
 [[nodiscard]] constexpr bool isOfCells(RecordKind kind) {
     return kind == RecordKind::LandBlock || kind == RecordKind::LandBlockInfo || kind == RecordKind::EnvCell;
 }
-[[nodiscard]] const char* nameOf(RecordKind kind);
+[[nodiscard]] LIMEN_API const char* nameOf(RecordKind kind);
 /// "0x%08X".
-[[nodiscard]] std::string idText(RecordId id);
+[[nodiscard]] LIMEN_API std::string idText(RecordId id);
 
 /// A landblock's position on the map, 0..254: x increases to the east, y to the north.
 struct BlockCoord {

@@ -8,7 +8,7 @@
 namespace limen::dat {
 namespace {
 
-tl::unexpected<Error> damaged(std::string reason) {
+Failure damaged(std::string reason) {
     return fail(ErrorCode::Malformed, "the iteration record", std::move(reason));
 }
 

@@ -18,8 +18,8 @@ struct Iterations {
 };
 
 /// Errors: a record that is no whole number of words, is empty, or ends within a run.
-[[nodiscard]] Result<Iterations> decodeIterations(ByteView payload);
+[[nodiscard]] LIMEN_API Result<Iterations> decodeIterations(ByteView payload);
 /// A run of one becomes a negative word, too, as in new files. Decoding yields the same iterations.
-[[nodiscard]] Bytes encodeIterations(const Iterations& iterations);
+[[nodiscard]] LIMEN_API Bytes encodeIterations(const Iterations& iterations);
 
 } // namespace limen::dat

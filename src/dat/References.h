@@ -22,7 +22,7 @@ using ReferenceVisitor = std::function<void(const Reference&)>;
 /// Visits every reference in the order of the record. Omits sounds, and the images of a SurfaceTexture,
 /// because one existing image is enough.
 template <class Record>
-void forEachReference(const Record& record, const ReferenceVisitor& visit);
+LIMEN_API void forEachReference(const Record& record, const ReferenceVisitor& visit);
 
 /// A reference to a model: a GfxObj or a Setup.
 [[nodiscard]] inline Reference modelReference(RecordId id, const char* as) {

@@ -18,7 +18,7 @@ struct Fault {
     RecordId id = 0;
     std::string what;
 };
-[[nodiscard]] const char* nameOf(FaultKind kind);
+[[nodiscard]] LIMEN_API const char* nameOf(FaultKind kind);
 
 struct VerifyReport {
     struct Sum {
@@ -46,6 +46,7 @@ struct VerifyOptions {
 /// reference (References.h). Also looks up the shapes of cells and the portals that portals lead to.
 /// References into files that are not among `files` are not checked. Requires: each role occurs once. Memory:
 /// 32 bytes a record, and the portals of all shapes.
-[[nodiscard]] VerifyReport verify(std::span<const File* const> files, const VerifyOptions& options = {});
+[[nodiscard]] LIMEN_API VerifyReport verify(std::span<const File* const> files,
+                                            const VerifyOptions& options = {});
 
 } // namespace limen::dat

@@ -8,7 +8,7 @@
 namespace limen::dat {
 
 /// The header fields of a new file.
-struct FileTraits {
+struct LIMEN_API FileTraits {
     std::uint32_t blockSize = 1024;
     std::uint32_t type = 1; ///< 1 portal, 2 cell, 3 local
     std::uint32_t subset = 0;
@@ -22,7 +22,7 @@ struct FileTraits {
 
 /// Collects records and writes a complete dat file (docs/formats/container.md#writing-a-file). The bytes depend on the records
 /// only: dates and iterations are fixed unless given.
-class Writer {
+class LIMEN_API Writer {
 public:
     explicit Writer(FileTraits traits) : traits_(traits) {}
 

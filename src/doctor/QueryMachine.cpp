@@ -104,7 +104,7 @@ MachineFacts queryMachine() {
         facts.driver = gpu::queryCapabilities();
         facts.textureMemory = gpu::queryTextureMemory();
     } else {
-        facts.driver = tl::unexpected(context.error());
+        facts.driver = Failure(context.error());
     }
     facts.memory = memoryField("MemTotal:");
     facts.availableMemory = memoryField("MemAvailable:");

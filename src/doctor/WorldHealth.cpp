@@ -47,12 +47,12 @@ Finding kindsFinding(std::span<const FileHealth> files) {
 Result<void> decodes(const dat::File& file, const dat::Entry& entry, dat::Bytes& scratch) {
     const Result<dat::ByteView> payload = file.read(entry, scratch);
     if (!payload)
-        return tl::unexpected(payload.error());
+        return Failure(payload.error());
     Result<void> done;
     dat::visitKind(dat::kindOf(file.role(), entry.id), [&]<class Record>(std::type_identity<Record>) {
         const Result<Record> record = dat::decode<Record>(entry.id, *payload);
         if (!record) {
-            done = tl::unexpected(record.error());
+            done = Failure(record.error());
             done.error().where =
                 fmt::format("{}, {} (file offset 0x{:X})", file.name(), done.error().where, entry.offset);
         }
@@ -64,7 +64,7 @@ Result<void> decodes(const dat::File& file, const dat::Entry& entry, dat::Bytes&
 std::optional<Result<void>> tryRecord(const dat::File& file, dat::RecordId id) {
     const Result<std::optional<dat::Entry>> entry = file.find(id);
     if (!entry)
-        return Result<void>(tl::unexpected(entry.error()));
+        return Result<void>(Failure(entry.error()));
     if (!*entry)
         return std::nullopt;
     dat::Bytes scratch;
@@ -124,7 +124,7 @@ std::optional<std::string> missingGround(std::span<const FileHealth> files, cons
     dat::Bytes scratch;
     const Result<dat::ByteView> payload = portal.read(dat::kRegionId, scratch);
     const Result<dat::Region> region =
-        payload ? dat::decode<dat::Region>(dat::kRegionId, *payload) : tl::unexpected(payload.error());
+        payload ? dat::decode<dat::Region>(dat::kRegionId, *payload) : Failure(payload.error());
     if (!region)
         return std::nullopt; // reported by another check
     const FileHealth* highres = healthOf(files, dat::FileRole::Highres);
@@ -136,7 +136,7 @@ std::optional<std::string> missingGround(std::span<const FileHealth> files, cons
         dat::Bytes bytes;
         const Result<dat::ByteView> list = portal.read(texture.texture, bytes);
         const Result<dat::SurfaceTexture> images =
-            list ? dat::decode<dat::SurfaceTexture>(texture.texture, *list) : tl::unexpected(list.error());
+            list ? dat::decode<dat::SurfaceTexture>(texture.texture, *list) : Failure(list.error());
         const bool any =
             images && std::any_of(images->images.begin(), images->images.end(), [&](dat::RecordId id) {
                 return has(portal, id) || (highres != nullptr && has(*highres->file, id));

@@ -74,10 +74,10 @@ Result<fs::path> temporaryDirectory() {
 Result<BuiltInWorld> writeTemporary(const WorldWriter& write) {
     Result<fs::path> directory = temporaryDirectory();
     if (!directory)
-        return tl::unexpected(directory.error());
+        return Failure(directory.error());
     BuiltInWorld world(*directory, true);
     if (const Result<void> written = write(world.directory()); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     return world;
 }
 
@@ -87,7 +87,7 @@ Result<bool> writeAndMove(const fs::path& staging, const fs::path& place, const 
     const UninterruptedWrite whole;
     if (const Result<void> written = write(staging); !written) {
         removeQuietly(staging);
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     }
     std::error_code error;
     fs::rename(staging, place, error);
@@ -142,7 +142,7 @@ Result<BuiltInWorld> openBuiltInWorld(const fs::path& root, const std::string& k
         removeQuietly(place);
     const Result<bool> moved = writeAndMove(staging, place, write);
     if (!moved)
-        return tl::unexpected(moved.error());
+        return Failure(moved.error());
     if (!isComplete(place))
         return writeTemporary(write);
     prune(root, place);

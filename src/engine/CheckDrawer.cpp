@@ -18,7 +18,7 @@ public:
         const std::shared_ptr<const LoadedPart> there = helped_.sharePart();
         LIMEN_ASSERT(there && there->target.centre == block, "the other session has loaded this block");
         if (Result<void> shown = headless_.session->show(std::make_unique<PartPlanner>(there)); !shown)
-            return tl::unexpected(shown.error());
+            return Failure(shown.error());
         return std::shared_ptr<const world::World>(there, &there->world);
     }
     reference::Camera cameraOf(const check::View& view, world::SpaceIndex root) override {
@@ -45,7 +45,7 @@ Result<std::unique_ptr<check::Drawer>> CheckDrawer::makeHelper() {
     options.textures = gpu::TextureMode::ArrayPages;
     Result<HeadlessSession> headless = openHeadless(session_.shareSource(), options);
     if (!headless)
-        return tl::unexpected(headless.error());
+        return Failure(headless.error());
     return std::make_unique<HelpingDrawer>(session_, std::move(*headless), outlines_, multisampled_);
 }
 
@@ -59,9 +59,9 @@ Result<std::shared_ptr<const world::World>> CheckDrawer::load(dat::BlockCoord bl
         Result<std::unique_ptr<PartPlanner>> read =
             coming_.valid() && expected_ == block ? coming_.get() : session_.read(block);
         if (!read)
-            return tl::unexpected(read.error());
+            return Failure(read.error());
         if (Result<void> shown = session_.show(std::move(*read)); !shown)
-            return tl::unexpected(shown.error());
+            return Failure(shown.error());
     }
     const std::shared_ptr<const LoadedPart> loaded = session_.sharePart();
     return std::shared_ptr<const world::World>(loaded, &loaded->world);
@@ -79,7 +79,7 @@ Result<check::DrawnImages> drawImages(Session& session, const FrameRequest& requ
                               .shading = colour ? gpu::Shading::Lit : gpu::Shading::IdsOnly,
                               .layers = !colour}; // layers are counted instead of blended
     if (Result<void> drawn = session.draw(request, options); !drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     const gpu::RenderTarget& target = session.target();
     check::DrawnImages images;
     images.width = request.size.width;
@@ -113,7 +113,7 @@ Result<check::DrawnImages> CheckDrawer::draw(const check::View& view, world::Spa
 
 Result<check::DrawnImages> CheckDrawer::drawSamples(const FrameRequest& request) {
     if (Result<void> drawn = session_.draw(request, {.shading = gpu::Shading::FlatIds}); !drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     check::DrawnImages images;
     images.width = request.size.width;
     images.height = request.size.height;

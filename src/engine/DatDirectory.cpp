@@ -123,7 +123,7 @@ std::string optionalFiles() {
 
 constexpr const char* kNextStep = "Give the directory of the game's installation, e.g. --dat \"$HOME/ac\"";
 
-tl::unexpected<Error> noSuchPath(const fs::path& given, const RealPath& real) {
+Failure noSuchPath(const fs::path& given, const RealPath& real) {
     std::vector<std::string> names;
     for (const fs::path& entry : entriesOf(real.there.empty() ? fs::path(".") : real.there))
         if (isDirectory(entry))
@@ -146,7 +146,7 @@ std::string whereAbouts(const std::vector<Folder>& tried, std::size_t file) {
                           : fmt::format("{} is {}", kFacts[file].name, fmt::join(places, " and "));
 }
 
-tl::unexpected<Error> nothingFound(const fs::path& given, const std::vector<Folder>& tried) {
+Failure nothingFound(const fs::path& given, const std::vector<Folder>& tried) {
     std::vector<std::string> paths;
     for (std::size_t i = 0; i < std::min(tried.size(), kMostListed); ++i)
         paths.push_back(tried[i].path.string());

@@ -68,7 +68,7 @@ Result<std::vector<double>> eachDoor(const world::World& world, const world::Wor
         const auto found = std::find_if(world.doors.begin(), world.doors.end(), isIt);
         if (found == world.doors.end() &&
             std::none_of(file.moving.doors.begin(), file.moving.doors.end(), isIt))
-            return tl::unexpected(unknownDoor(state.name, file));
+            return Failure(unknownDoor(state.name, file));
         if (found != world.doors.end())
             open[static_cast<std::size_t>(found - world.doors.begin())] = state.open;
     }
@@ -80,7 +80,7 @@ Result<motion::PlayerBody> placedBody(const world::World& world, const BodyReque
     const Result<world::SpaceIndex> space =
         findRoot(world, body.root, motion::Capsule().middle(body.feet), ambiguous);
     if (!space)
-        return tl::unexpected(space.error());
+        return Failure(space.error());
     return motion::PlayerBody{body.feet, body.yaw, *space, body.opacity, body.speed, body.metres};
 }
 
@@ -90,7 +90,7 @@ Result<SceneState> sceneState(const world::World& world, const world::WorldFile&
     scene.time = request.time;
     const Result<std::uint32_t> day = dayGroupOf(world.sky.desc, world.sky.time, request.day);
     if (!day)
-        return tl::unexpected(day.error());
+        return Failure(day.error());
     scene.dayGroup = *day;
     scene.weather = request.weather;
     scene.look = request.look;
@@ -99,13 +99,13 @@ Result<SceneState> sceneState(const world::World& world, const world::WorldFile&
     if (!request.eachDoor.empty()) {
         Result<std::vector<double>> doors = eachDoor(world, file, request.eachDoor);
         if (!doors)
-            return tl::unexpected(doors.error());
+            return Failure(doors.error());
         scene.eachDoor = std::move(*doors);
     }
     if (request.body) {
         const Result<motion::PlayerBody> body = placedBody(world, *request.body);
         if (!body)
-            return tl::unexpected(body.error());
+            return Failure(body.error());
         scene.body = *body;
     }
     return scene;
@@ -160,17 +160,17 @@ Result<FrameRequest> frameRequest(const world::World& world, const world::WorldF
     FrameRequest frame;
     const Result<Vec3> eye = placedEye(world, request);
     if (!eye)
-        return tl::unexpected(eye.error());
+        return Failure(eye.error());
     frame.camera = {*eye, {request.yaw.value_or(0.0), request.pitch.value_or(0.0)}, request.fov};
     frame.size = request.size;
     const Result<world::SpaceIndex> root =
         findRoot(world, request.root.value_or(RootChoice{}), frame.camera.eye, frame.isRootAmbiguous);
     if (!root)
-        return tl::unexpected(root.error());
+        return Failure(root.error());
     frame.root = *root;
     Result<SceneState> scene = sceneState(world, file, request.scene);
     if (!scene)
-        return tl::unexpected(scene.error());
+        return Failure(scene.error());
     frame.scene = std::move(*scene);
     frame.scene.player = request.player.value_or(frame.camera.eye);
     return frame;

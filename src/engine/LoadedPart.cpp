@@ -14,14 +14,14 @@ Result<std::shared_ptr<const LoadedPart>> loadPart(const dat::Archive& archive, 
                                                    const world::LoadHelp& help) {
     Result<world::World> world = world::loadWorld(archive, target.centre, target.options, moving, help);
     if (!world)
-        return tl::unexpected(world.error());
+        return Failure(world.error());
     return partOf(std::move(*world), target);
 }
 
 Result<std::shared_ptr<const LoadedPart>> partOf(world::World world, const PartTarget& target) {
     Result<visibility::Graph> graph = frame::visibilityGraph(world);
     if (!graph)
-        return tl::unexpected(graph.error());
+        return Failure(graph.error());
     return std::make_shared<const LoadedPart>(std::move(world), std::move(*graph), target);
 }
 

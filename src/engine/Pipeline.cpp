@@ -44,7 +44,7 @@ Result<const visibility::Graph*> Pipeline::graph() {
     if (!spaceGraph_) {
         Result<visibility::Graph> made = frame::visibilityGraph(part().world, frame::GraphZones::EachSpace);
         if (!made)
-            return tl::unexpected(made.error());
+            return Failure(made.error());
         spaceGraph_.emplace(std::move(*made));
     }
     return &*spaceGraph_;
@@ -60,7 +60,7 @@ Result<void> Pipeline::flood(const visibility::View& view, const visibility::Lim
     isPlanned_ = false;
     const Result<const visibility::Graph*> graph = this->graph();
     if (!graph)
-        return tl::unexpected(graph.error());
+        return Failure(graph.error());
     return visibility::flood(**graph, state_.dynamics.closed, view, limits, scratch_, state_.visible);
 }
 

@@ -88,7 +88,7 @@ Result<void> Session::load(dat::BlockCoord centre) {
         return {};
     Result<std::unique_ptr<PartPlanner>> loaded = read(centre);
     if (!loaded)
-        return tl::unexpected(loaded.error());
+        return Failure(loaded.error());
     return show(std::move(*loaded));
 }
 
@@ -97,12 +97,12 @@ Result<std::unique_ptr<PartPlanner>> Session::read(const PartTarget& target, uns
     LIMEN_ASSERT(threads > 0, "at least one thread reads");
     const Result<world::MovingEntries> moving = movingAround(*source_, target.centre, target.options);
     if (!moving)
-        return tl::unexpected(moving.error());
+        return Failure(moving.error());
     Result<std::shared_ptr<const LoadedPart>> loaded =
         loadPart(source_->archive, target, *moving, {cache_.get(), threads, progress});
     source_->archive.letPagesGo(); // the cache holds the records that the next part needs
     if (!loaded)
-        return tl::unexpected(loaded.error());
+        return Failure(loaded.error());
     return std::make_unique<PartPlanner>(std::move(*loaded));
 }
 
@@ -150,7 +150,7 @@ Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions&
     Result<gpu::RenderTarget> made = gpu::RenderTarget::create(
         drawnOn(), size.width, size.height, {.layers = layers, .samples = multisampled ? samples() : 0});
     if (!made)
-        return tl::unexpected(made.error());
+        return Failure(made.error());
     target.emplace(std::move(*made));
     return &*target;
 }
@@ -176,7 +176,7 @@ Result<void> Session::draw(const FrameRequest& request, const DrawOptions& optio
     LIMEN_ASSERT(isLoaded(), "load before drawing");
     const Result<gpu::RenderTarget*> target = fitTarget(request.size, options);
     if (!target)
-        return tl::unexpected(target.error());
+        return Failure(target.error());
     shown_ = *target;
     return drawInto(**target, request,
                     {.exactCutOuts = options.ids || options.shading != gpu::Shading::Lit,
@@ -198,7 +198,7 @@ Result<void> Session::drawTile(const FrameRequest& request, gpu::RenderTarget& t
 Result<Picked> Session::pick(const FrameRequest& request, std::uint32_t x, std::uint32_t y) {
     LIMEN_ASSERT(x < request.size.width && y < request.size.height, "a pixel of the picture");
     if (Result<void> drawn = draw(request, {.ids = true, .shading = gpu::Shading::IdsOnly}); !drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     const std::size_t pixel = std::size_t{y} * request.size.width + x;
     return pickedPixel(part().world, part().ids, dynamics(), visible(), shown_->readIds()[pixel],
                        shown_->readOwnership()[pixel], shown_->readDistances(plan().constants)[pixel]);
@@ -249,12 +249,12 @@ Result<HeadlessSession> openHeadless(std::shared_ptr<const WorldSource> source,
                                      const SessionOptions& options) {
     Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
     if (!context)
-        return tl::unexpected(context.error());
+        return Failure(context.error());
     HeadlessSession headless;
     headless.context = std::make_unique<gpu::HeadlessContext>(std::move(*context));
     Result<std::unique_ptr<gpu::GlDevice>> device = gpu::GlDevice::create();
     if (!device)
-        return tl::unexpected(device.error());
+        return Failure(device.error());
     headless.device = std::move(*device);
     headless.session = std::make_unique<Session>(std::move(source), options, *headless.device);
     return headless;

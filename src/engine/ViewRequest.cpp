@@ -62,7 +62,7 @@ Result<ViewRequest> resolvePlace(ViewRequest request, const world::WorldFile& fi
     const Result<const world::Place*> place =
         request.isAtStart ? startOf(file) : findPlace(file, request.place);
     if (!place)
-        return tl::unexpected(place.error());
+        return Failure(place.error());
     request.isAtStart = false;
     request.place.clear();
     request.eye = (*place)->eye;

@@ -12,17 +12,17 @@ Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch se
                                   const SearchProgress& progress) {
     Result<dat::Archive> archive = dat::Archive::open(paths);
     if (!archive)
-        return tl::unexpected(archive.error());
+        return Failure(archive.error());
     Result<world::WorldFile> file = world::loadWorldFile(paths.directory);
     if (!file)
-        return tl::unexpected(file.error());
+        return Failure(file.error());
     bool isSearched = false;
     if (!std::filesystem::exists(paths.directory / world::kWorldFileName)) {
         isSearched = search == PlaceSearch::Find;
         if (isSearched) {
             file = findPlacesCached(*archive, cacheRoot(), kWorthCaching, progress);
             if (!file)
-                return tl::unexpected(file.error());
+                return Failure(file.error());
         }
         // The original game's files have no world.json. The player's body is then the game's human male.
         if (archive->contains<dat::Setup>(kHumanMale))
@@ -33,7 +33,7 @@ Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch se
         Result<placements::WorldDb> database =
             placements::WorldDb::open(paths.directory / placements::kWorldDbName);
         if (!database)
-            return tl::unexpected(database.error());
+            return Failure(database.error());
         placed = std::make_unique<PlacedObjects>(std::move(*database));
     }
     return WorldSource{{}, std::move(*archive), std::move(*file), "", isSearched, std::move(placed)};
@@ -52,7 +52,7 @@ Result<WorldSource> openBuiltIn(const SearchProgress& progress) {
     for (int attempt = 0;; ++attempt) {
         Result<BuiltInWorld> builtIn = openBuiltInWorld(cacheRoot(), key, worlds::writeBuiltInWorld);
         if (!builtIn)
-            return tl::unexpected(builtIn.error());
+            return Failure(builtIn.error());
         Result<WorldSource> source = openAt(builtIn->directory(), PlaceSearch::Find, progress);
         if (source)
             source->builtIn = std::move(*builtIn);
@@ -82,7 +82,7 @@ Result<ViewRequest> resolvePlace(ViewRequest request, const WorldSource& source)
         return resolved;
     const Result<std::optional<world::Place>> object = source.placed->viewOf(request.place);
     if (!object)
-        return tl::unexpected(object.error());
+        return Failure(object.error());
     if (!*object)
         return resolved;
     ViewRequest view = requestAt(**object);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Api.h"
 #include "geometry/Vec.h"
 
 #include <span>
@@ -36,6 +37,6 @@ struct Aabb {
 
 /// A sphere that contains all points: around the centre of their box, at most 1.74 times as large as the
 /// smallest one. Empty for no points.
-[[nodiscard]] Sphere boundingSphere(std::span<const Vec3> points);
+[[nodiscard]] LIMEN_API Sphere boundingSphere(std::span<const Vec3> points);
 
 } // namespace limen

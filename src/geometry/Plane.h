@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Api.h"
 #include "geometry/Vec.h"
 
 #include <span>
@@ -21,6 +22,6 @@ struct Plane {
 /// The plane of a polygon by Newell's sum. The normal points to the side from which the vertices run
 /// counter-clockwise. Exact for planar polygons, a mean for others. A polygon without area gives n = (0,0,0),
 /// d = 0: callers check `glm::dot(n, n) > 0`.
-[[nodiscard]] Plane planeOf(std::span<const Vec3> polygon);
+[[nodiscard]] LIMEN_API Plane planeOf(std::span<const Vec3> polygon);
 
 } // namespace limen

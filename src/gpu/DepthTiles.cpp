@@ -25,7 +25,7 @@ Result<void> DepthTiles::prepare(std::uint32_t width, std::uint32_t height) {
         const Result<BufferHandle> made =
             device_->createScratch("depth tiles", capacity * kFramesInFlight * sizeof(float));
         if (!made)
-            return tl::unexpected(made.error());
+            return Failure(made.error());
         buffer_ = {*device_, *made};
         capacity_ = capacity;
     }

@@ -51,7 +51,7 @@ Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::str
                                   .computeShader = "cull.comp",
                                   .uniforms = {{layout::kUniformCullMode, mode}}});
         if (!program)
-            return tl::unexpected(program.error());
+            return Failure(program.error());
         programs[mode] = OwnedProgram(device, *program);
     }
     return DrawCulling(device, std::move(programs), which);

@@ -18,7 +18,7 @@ Result<RenderTarget> RenderTarget::create(Device& device, std::uint32_t width, s
     options.samples = options.samples > 1 ? options.samples : 0;
     const Result<TargetHandle> handle = device.createTarget(width, height, options);
     if (!handle)
-        return tl::unexpected(handle.error());
+        return Failure(handle.error());
     RenderTarget target(device, *handle, width, height, options);
     if (options.samples > 0)
         target.samples_ = device.samplePositions(*handle);

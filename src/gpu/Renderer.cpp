@@ -117,7 +117,7 @@ Result<void> Renderer::upload(const frame::SceneUpload& upload) {
 Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
     Result<StagedScene> staged = stageScene(std::move(upload), options_, device_->capabilities(), state());
     if (!staged)
-        return tl::unexpected(staged.error());
+        return Failure(staged.error());
     if (Result<void> begun = begin(std::move(*staged)); !begun)
         return begun;
     for (bool isThere = false; !isThere;) {
@@ -125,7 +125,7 @@ Result<void> Renderer::uploadOnce(frame::SceneUpload upload) {
         if (!advanced) {
             retired_.clear(); // the incomplete scene is destroyed at once
             spare_->clear();
-            return tl::unexpected(advanced.error());
+            return Failure(advanced.error());
         }
         isThere = *advanced;
     }
@@ -167,7 +167,7 @@ Result<void> Renderer::createCulling() {
         Result<DrawCulling> culling = DrawCulling::create(
             *device_, definesOf(options_), options_.exactOutlines ? options_.culling : Culling::None);
         if (!culling)
-            return tl::unexpected(culling.error());
+            return Failure(culling.error());
         culling_ = std::make_unique<DrawCulling>(std::move(*culling));
     }
     culling_->tryAgain();

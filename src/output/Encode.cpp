@@ -31,7 +31,7 @@ Result<void> checkSides(const char* format, std::uint32_t width, std::uint32_t h
 Result<std::vector<std::byte>> encodePngAs(png_uint_32 format, std::uint32_t width, std::uint32_t height,
                                            std::span<const std::uint8_t> pixels) {
     if (Result<void> fits = checkSides("PNG", width, height, PNG_UINT_31_MAX); !fits)
-        return tl::unexpected(fits.error());
+        return Failure(fits.error());
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = width;
@@ -94,7 +94,7 @@ Result<std::vector<std::byte>> encodePng(std::uint32_t width, std::uint32_t heig
 Result<std::vector<std::byte>> encodeJpeg(const Picture& picture, int quality) {
     LIMEN_ASSERT(quality >= 1 && quality <= 100, "a quality of JPEG");
     if (Result<void> fits = checkSides("JPEG", picture.width, picture.height, kMostJpegSide); !fits)
-        return tl::unexpected(fits.error());
+        return Failure(fits.error());
     const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), &tjDestroy);
     unsigned char* data = nullptr;
     unsigned long size = 0;
@@ -112,7 +112,7 @@ Result<std::vector<std::byte>> encodeJpeg(const Picture& picture, int quality) {
 Result<std::vector<std::byte>> encodeWebp(const Picture& picture, int quality) {
     LIMEN_ASSERT(quality >= 1 && quality <= 100, "a quality of WebP");
     if (Result<void> fits = checkSides("WebP", picture.width, picture.height, WEBP_MAX_DIMENSION); !fits)
-        return tl::unexpected(fits.error());
+        return Failure(fits.error());
     std::uint8_t* data = nullptr;
     const std::size_t size =
         WebPEncodeRGB(picture.rgb.data(), static_cast<int>(picture.width), static_cast<int>(picture.height),

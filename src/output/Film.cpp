@@ -139,7 +139,7 @@ struct Film::Process {
         return isDone;
     }
 
-    [[nodiscard]] tl::unexpected<Error> failure() const {
+    [[nodiscard]] Failure failure() const {
         const std::string reason = lastLine(messages);
         return fail(ErrorCode::Unreadable, path.string(),
                     fmt::format("ffmpeg could not write the film: {}",
@@ -180,9 +180,9 @@ Result<Film> Film::start(const std::filesystem::path& ffmpeg, const std::filesys
                          std::uint32_t width, std::uint32_t height, double framesPerSecond) {
     const Result<FilmFormat> format = filmFormatOf(path);
     if (!format)
-        return tl::unexpected(format.error());
+        return Failure(format.error());
     if (Result<void> writable = checkWritable(path); !writable)
-        return tl::unexpected(writable.error());
+        return Failure(writable.error());
     if (width < 2 || height < 2)
         return fail(ErrorCode::BadArgument, path.string(),
                     "a film needs at least 2x2 pixels; choose a larger --size");

@@ -38,7 +38,7 @@ public:
     Result<void> add(const world::Instance& instance, const Vec3& origin) {
         const Result<int> mesh = meshOf(instance);
         if (!mesh)
-            return tl::unexpected(mesh.error());
+            return Failure(mesh.error());
         if (*mesh < 0)
             return {};
         tinygltf::Node node;
@@ -99,7 +99,7 @@ private:
         const world::Image& picture = *world_.textures[index];
         const auto png = encodePng(picture.width, picture.height, picture.rgba);
         if (!png)
-            return tl::unexpected(png.error());
+            return Failure(png.error());
         tinygltf::Image image;
         image.mimeType = "image/png";
         image.bufferView = addView(std::span<const std::byte>(*png), 0);
@@ -131,7 +131,7 @@ private:
         if (in.texture != world::kNone) {
             const Result<int> texture = textureOf(in.texture, (in.flags & world::Material::kClamp) != 0);
             if (!texture)
-                return tl::unexpected(texture.error());
+                return Failure(texture.error());
             look.baseColorTexture.index = *texture;
             if (in.luminosity > 0.0f)
                 out.emissiveTexture.index = *texture;
@@ -175,7 +175,7 @@ private:
         for (const auto& [slot, triangles] : trianglesOf(world_.meshes[instance.mesh])) {
             const Result<int> material = materialOf(world_.materialRefs[instance.firstMaterial + slot]);
             if (!material)
-                return tl::unexpected(material.error());
+                return Failure(material.error());
             tinygltf::Primitive primitive;
             primitive.mode = TINYGLTF_MODE_TRIANGLES;
             primitive.material = *material;
@@ -219,7 +219,7 @@ Result<std::string> encodeGlb(const world::World& world, std::span<const world::
         if (instance.kind == world::InstanceKind::Terrain)
             continue;
         if (Result<void> added = writer.add(instance, origin); !added)
-            return tl::unexpected(added.error());
+            return Failure(added.error());
     }
     if (writer.empty())
         return fail(ErrorCode::NotFound, "glTF",

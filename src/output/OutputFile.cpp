@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<Error> refused(const fs::path& path, std::string what) {
+Failure refused(const fs::path& path, std::string what) {
     return fail(ErrorCode::Unreadable, path.string(), std::move(what));
 }
 
@@ -155,16 +155,16 @@ Result<void> writeFile(const fs::path& path, std::string_view text) {
 
 Result<void> checkPictureWritable(const fs::path& path) {
     const Result<PictureFormat> format = formatFor(path);
-    return format ? checkWritable(path) : tl::unexpected(format.error());
+    return format ? checkWritable(path) : Failure(format.error());
 }
 
 Result<void> writePicture(const fs::path& path, const Picture& picture) {
     const Result<PictureFormat> format = formatFor(path);
     if (!format)
-        return tl::unexpected(format.error());
+        return Failure(format.error());
     const Result<std::vector<std::byte>> bytes = encodePicture(picture, *format);
     if (!bytes)
-        return tl::unexpected(bytes.error());
+        return Failure(bytes.error());
     return writeFile(path, *bytes);
 }
 

@@ -14,7 +14,7 @@ constexpr std::size_t kMostRowsOfTemplate = 8'192; // of one table
 constexpr std::size_t kMostChildren = 8'192;
 constexpr std::int64_t kNameProperty = 1, kDestinationProperty = 2;
 
-tl::unexpected<Error> refuse(std::string what) {
+Failure refuse(std::string what) {
     return fail(ErrorCode::Malformed, "", std::move(what));
 }
 
@@ -181,7 +181,7 @@ Result<void> ContentBuilder::add(const Table& table, Row row) {
             continue;
         Result<Value> value = fitted(table, table.columns[i], row[i]);
         if (!value)
-            return tl::unexpected(value.error());
+            return Failure(value.error());
         fitted_[i] = *value;
     }
     if (table.key == TableKey::Weenie)

@@ -124,7 +124,7 @@ Range rangeOf(ColumnType type) {
     }
 }
 
-tl::unexpected<Error> unfit(const Table& table, const Column& column, const char* expected) {
+Failure unfit(const Table& table, const Column& column, const char* expected) {
     return fail(ErrorCode::Malformed, "",
                 fmt::format("the value of {}.{} is not {}", table.name, column.name, expected));
 }

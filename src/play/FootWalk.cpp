@@ -45,7 +45,7 @@ public:
         if (options_.chase)
             acts_.push_back({PlayActKind::Chase});
         if (Result<void> began = frame({}); !began)
-            return tl::unexpected(began.error());
+            return Failure(began.error());
         for (std::size_t i = 0, missed = 0; i < points_.size();) {
             if (i > 0 && isJump(points_[i - 1], points_[i])) {
                 for (const std::size_t there = jumpBeyond(i - 1); i < there; ++i)
@@ -55,7 +55,7 @@ public:
             }
             const Result<bool> there = goTo(points_[i]);
             if (!there)
-                return tl::unexpected(there.error());
+                return Failure(there.error());
             if (!*there)
                 walk_.missed.push_back(i);
             missed = *there ? 0 : missed + 1;
@@ -122,7 +122,7 @@ private:
             if (waited < kBack - kSwing) // leaves room for the leaf
                 input.forward = -input.forward;
             if (Result<void> stepped = frame(std::move(input)); !stepped)
-                return tl::unexpected(stepped.error());
+                return Failure(stepped.error());
             const double now = levelDistance(feet(), target);
             waited = now < best - kNearer ? 0.0 : waited + 1.0 / options_.fps;
             best = waited == 0.0 ? now : best;

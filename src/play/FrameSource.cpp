@@ -70,16 +70,16 @@ Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(engine::Session& se
                                                              const engine::ViewRequest& start) {
     Result<engine::ViewRequest> view = engine::resolvePlace(start, session.source());
     if (!view)
-        return tl::unexpected(view.error());
+        return Failure(view.error());
     view->size = record.frames.front().input.size;
     if (record.streamed)
         session.setLoadOptions(sameZones(*record.streamed, session));
     if (Result<void> loaded = session.load(engine::centreOf(*view)); !loaded)
-        return tl::unexpected(loaded.error());
+        return Failure(loaded.error());
     Result<engine::FrameRequest> first =
         engine::frameRequest(session.part().world, session.source().file, *view);
     if (!first)
-        return tl::unexpected(first.error());
+        return Failure(first.error());
     return std::unique_ptr<ReplayedFrames>(new ReplayedFrames(session, std::move(*first), std::move(record)));
 }
 
@@ -97,7 +97,7 @@ Result<const engine::FrameRequest*> ReplayedFrames::next() {
     const RecordedFrame& frame = record_.frames[next_++];
     residency_.setNext(frame);
     if (Result<void> stepped = play_.step(frame.input); !stepped)
-        return tl::unexpected(stepped.error());
+        return Failure(stepped.error());
     return &play_.request();
 }
 

@@ -16,7 +16,7 @@ Result<CameraPath> makePath(const engine::LoadedPart& loaded,
         position.scene = {};
         const Result<engine::FrameRequest> frame = engine::frameRequest(loaded.world, {}, position);
         if (!frame)
-            return tl::unexpected(frame.error());
+            return Failure(frame.error());
         world::Place place;
         place.eye = frame->camera.eye;
         place.yaw = frame->camera.heading.yaw;
@@ -41,7 +41,7 @@ double PathRequest::timeOf(const CameraPath& path, std::size_t frame) const {
 Result<PathStart> startPath(engine::Session& session, const std::vector<engine::ViewRequest>& points,
                             const PathRequest& request) {
     if (Result<void> loaded = session.load(engine::centreOf(points.front())); !loaded)
-        return tl::unexpected(loaded.error());
+        return Failure(loaded.error());
     engine::ViewRequest first = points.front();
     first.fov = request.fov;
     first.size = request.size;
@@ -49,7 +49,7 @@ Result<PathStart> startPath(engine::Session& session, const std::vector<engine::
     Result<engine::FrameRequest> frame =
         engine::frameRequest(session.part().world, session.source().file, first);
     if (!frame)
-        return tl::unexpected(frame.error());
+        return Failure(frame.error());
     frame->scene.time = request.time;
     return makePath(session.part(), points).map([&](CameraPath path) {
         return PathStart{std::move(path), std::move(*frame)};

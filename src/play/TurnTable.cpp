@@ -107,13 +107,13 @@ world::SpaceIndex turnTableRoot(const world::World& world, world::SpaceIndex roo
 Result<std::unique_ptr<FrameSource>> openTurnTable(engine::Session& session, TurnTableRequest request) {
     Result<engine::ViewRequest> centre = engine::resolvePlace(std::move(request.centre), session.source());
     if (!centre)
-        return tl::unexpected(centre.error());
+        return Failure(centre.error());
     if (Result<void> loaded = session.load(engine::centreOf(*centre)); !loaded)
-        return tl::unexpected(loaded.error());
+        return Failure(loaded.error());
     Result<engine::FrameRequest> frame =
         engine::frameRequest(session.part().world, session.source().file, *centre);
     if (!frame)
-        return tl::unexpected(frame.error());
+        return Failure(frame.error());
     return std::make_unique<TurnTableFrames>(session, std::move(*frame), request);
 }
 

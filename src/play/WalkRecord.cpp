@@ -223,7 +223,7 @@ Result<WalkRecord> parseWalk(const std::string& text, const std::string& name) {
 Result<WalkRecord> readWalk(const std::filesystem::path& file) {
     const Result<std::string> text = output::readTextFile(file, kLimit);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     return parseWalk(*text, file.string());
 }
 

@@ -25,7 +25,7 @@ WalkingBody::Reading WalkingBody::read(const std::shared_ptr<const engine::World
                                        dat::BlockCoord centre) {
     Result<world::Solids> solids = world::loadSolids(source->archive, loaded->world, centre, kRadius);
     if (!solids)
-        return tl::unexpected(solids.error());
+        return Failure(solids.error());
     motion::Collisions collisions(loaded->world, std::move(*solids));
     return std::make_shared<const Surroundings>(Surroundings{std::move(loaded), std::move(collisions)});
 }
@@ -42,7 +42,7 @@ Result<void> WalkingBody::begin(const engine::Session& session, const engine::Fr
     drop(); // pending reads are for another position
     Reading around = read(session.shareSource(), session.sharePart(), blockOfBody(session.part()));
     if (!around)
-        return tl::unexpected(around.error());
+        return Failure(around.error());
     around_ = std::move(*around);
     isOn_ = true;
     return {};
@@ -96,7 +96,7 @@ Result<void> WalkingBody::takeSurroundings(const engine::Session& session, dat::
     coming_ = {};
     next_ = {};
     if (!around)
-        return tl::unexpected(around.error());
+        return Failure(around.error());
     background_.discard(std::exchange(around_, std::move(*around)));
     return {};
 }

@@ -79,7 +79,7 @@ Result<void> Application::save() {
     keepSettings();
     endRecording();
     if (recordError_)
-        return tl::unexpected(*recordError_);
+        return Failure(*recordError_);
     return {};
 }
 

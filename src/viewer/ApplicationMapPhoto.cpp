@@ -19,7 +19,7 @@ Result<void> Application::framePhoto() {
     const bool isTaking = photo_->isBusy(); // its tiles are no part of the preview's time
     const Result<std::string> line = photo_->frame(input, chooseScale(isTaking));
     if (!line)
-        return tl::unexpected(line.error());
+        return Failure(line.error());
     if (!isTaking)
         scale_.note(photo_->sceneMs());
     if (!line->empty())

@@ -55,7 +55,7 @@ Result<void> Application::finishOpening() {
         if (!ready) {
             const Error error = ready.error();
             fail(error.message());
-            return tl::unexpected(error);
+            return Failure(error);
         }
         if (*ready)
             show(opening_->take());

@@ -200,7 +200,7 @@ Result<KeyBindings> parseKeyBindings(const std::string& text, const std::string&
             return fail(ErrorCode::Malformed, where, "unknown action; limen view --help lists the actions");
         Result<std::vector<KeyCode>> keys = keysIn(value, where);
         if (!keys)
-            return tl::unexpected(keys.error());
+            return Failure(keys.error());
         entries.emplace_back(*action, std::move(*keys));
     }
     for (const auto& [action, keys] : entries) {
@@ -208,7 +208,7 @@ Result<KeyBindings> parseKeyBindings(const std::string& text, const std::string&
         bindings.set(action, keys);
     }
     if (Result<void> checked = checkRivals(bindings, name, json); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     return bindings;
 }
 
@@ -240,7 +240,7 @@ Result<KeyBindings> readKeyBindings(const fs::path& file, bool mustExist) {
         return KeyBindings();
     const Result<std::string> text = output::readTextFile(file, kLongest);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     return parseKeyBindings(*text, file.string());
 }
 

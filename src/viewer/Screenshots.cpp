@@ -57,7 +57,7 @@ Result<fs::path> keepScreenshot(const fs::path& directory, const output::Picture
         const fs::path png = directory / (stem + ".png");
         const Result<bool> made = make(png); // another window may save screenshots in the same directory
         if (!made)
-            return tl::unexpected(made.error());
+            return Failure(made.error());
         if (!*made)
             continue;
         Result<void> written = output::writePicture(png, picture);
@@ -67,7 +67,7 @@ Result<fs::path> keepScreenshot(const fs::path& directory, const output::Picture
         if (!written) {
             std::error_code ignored;
             fs::remove(png, ignored);
-            return tl::unexpected(written.error());
+            return Failure(written.error());
         }
         return png;
     }

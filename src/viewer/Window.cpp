@@ -16,7 +16,7 @@
 namespace limen::viewer {
 namespace {
 
-tl::unexpected<Error> refused(const char* what, const char* advice) {
+Failure refused(const char* what, const char* advice) {
     const char* reason = nullptr;
     (void)glfwGetError(&reason);
     return fail(ErrorCode::Driver, "view",

@@ -94,7 +94,7 @@ Result<void> WorldView::draw() {
         options.highlights = std::span(&*pulse, 1);
     const Result<double> sceneMs = drawTimed(*session_, drawn_, options);
     if (!sceneMs)
-        return tl::unexpected(sceneMs.error());
+        return Failure(sceneMs.error());
     sceneMs_ = *sceneMs;
     ids_ = switches_.ids ? session_->target().readIds() : std::vector<std::uint32_t>{};
     distances_ =
@@ -182,12 +182,12 @@ bool WorldView::press(Action action) {
 
 Result<std::filesystem::path> WorldView::keepPicture(const std::filesystem::path& directory) {
     if (Result<void> drawn = session_->draw(request(), {}); !drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     const output::Picture picture =
         output::pictureFromRgba(request().size.width, request().size.height, session_->target().readColour());
     const std::string command = commandOf(request());
     if (Result<void> drawn = draw(); !drawn) // with the pulse and the images of ids again
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     return keepScreenshot(std::filesystem::absolute(directory), picture, command);
 }
 
@@ -234,7 +234,7 @@ Result<void> WorldView::pick(const PixelPlace& place) {
         return {}; // the window has shrunk since the frame
     Result<engine::Picked> picked = session_->pick(request(), place.x, place.y);
     if (!picked)
-        return tl::unexpected(picked.error());
+        return Failure(picked.error());
     const bool isSame = picked_ && picked->object != 0 && picked->object == picked_->object &&
                         picked->meaning.polygon == picked_->meaning.polygon;
     picked_ =
@@ -250,7 +250,7 @@ Result<void> WorldView::check() {
     }
     Result<ViewVerdict> verdict = viewCheck_.check(*session_, drawn_); // the pixels that are shown
     if (!verdict)
-        return tl::unexpected(verdict.error());
+        return Failure(verdict.error());
     verdict_ = std::move(*verdict);
     checkedFrom_ = drawn_;
     return {};

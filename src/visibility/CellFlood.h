@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/FloodTrace.h"
+#include "visibility/RectLanes.h"
 #include "visibility/ScreenOpenings.h"
 #include "visibility/VisibleSet.h"
 

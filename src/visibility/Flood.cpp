@@ -7,7 +7,7 @@
 #include "visibility/SiblingOrder.h"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <string>
 
 namespace limen::visibility {
 
@@ -222,18 +222,19 @@ Result<void> checkInput(const Graph& graph, std::span<const std::uint8_t> closed
         return fail(ErrorCode::BadArgument, "view of a flood", std::move(why));
     };
     if (view.root >= graph.spaces().size())
-        return refuse(fmt::format("root {} is not one of the {} spaces", view.root, graph.spaces().size()));
+        return refuse("root " + std::to_string(view.root) + " is not one of the " +
+                      std::to_string(graph.spaces().size()) + " spaces");
     if (!isFinite(view.eye))
         return refuse("the eye is not finite");
     if (!isOrthonormal(view))
         return refuse("right, up and forward are not orthonormal");
     if (!isTangent(view.tanHalfX) || !isTangent(view.tanHalfY)) {
-        return refuse(fmt::format("tangents of half the field of view must be positive and finite: {}, {}",
-                                  view.tanHalfX, view.tanHalfY));
+        return refuse("tangents of half the field of view must be positive and finite: " +
+                      std::to_string(view.tanHalfX) + ", " + std::to_string(view.tanHalfY));
     }
     if (!closed.empty() && closed.size() != graph.portals().size()) {
-        return refuse(
-            fmt::format("there are {} states for {} portals", closed.size(), graph.portals().size()));
+        return refuse("there are " + std::to_string(closed.size()) + " states for " +
+                      std::to_string(graph.portals().size()) + " portals");
     }
     return {};
 }

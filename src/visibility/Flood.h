@@ -11,7 +11,7 @@ namespace limen::visibility {
 
 /// Working memory of a flood. Give each thread its own and reuse it, so that a steady frame allocates
 /// nothing.
-class FloodScratch {
+class LIMEN_API FloodScratch {
 public:
     FloodScratch();
     ~FloodScratch();
@@ -33,8 +33,8 @@ private:
 /// Cost: portals tested times a convex clip. Errors: BadArgument, with `out` empty, for a root that is not a
 /// space of the graph, an eye that is not finite, axes that are not orthonormal, tangents that are not positive
 /// and finite, and a wrong length of `closed`. Ref: Luebke, Georges, "Portals and Mirrors" (1995).
-[[nodiscard]] Result<void> flood(const Graph& graph, std::span<const std::uint8_t> closed, const View& view,
-                                 const Limits& limits, FloodScratch& scratch, VisibleSet& out,
-                                 FloodTrace* trace = nullptr);
+[[nodiscard]] LIMEN_API Result<void> flood(const Graph& graph, std::span<const std::uint8_t> closed,
+                                           const View& view, const Limits& limits, FloodScratch& scratch,
+                                           VisibleSet& out, FloodTrace* trace = nullptr);
 
 } // namespace limen::visibility

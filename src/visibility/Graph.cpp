@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
-
-#include <fmt/format.h>
+#include <string>
 
 namespace limen::visibility {
 
@@ -20,7 +19,7 @@ constexpr double kFlat = 1e-9;
 
 Result<void> checkPortal(const PortalDesc& portal, std::size_t index, std::span<const SpaceDesc> spaces,
                          std::size_t portalCount, std::span<const Vec3> vertices) {
-    const std::string where = fmt::format("portal {}", index);
+    const std::string where = "portal " + std::to_string(index);
     if (portal.space >= spaces.size() || (portal.destination != kNone && portal.destination >= spaces.size()))
         return fail(ErrorCode::BadArgument, where, "names a space that does not exist");
     const SpaceDesc& space = spaces[portal.space];
@@ -121,7 +120,7 @@ Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const Po
     for (std::size_t i = 0; i < portals.size(); ++i) {
         const PortalDesc& p = portals[i];
         if (auto checked = checkPortal(p, i, spaces, portals.size(), vertices); !checked)
-            return tl::unexpected(checked.error());
+            return Failure(checked.error());
         graph.addPortal(p, spaces, vertices);
         for (const Vec3& v : graph.polygon(graph.portals_.back()))
             boxes[i].include(v);
@@ -132,7 +131,8 @@ Result<Graph> Graph::build(std::span<const SpaceDesc> spaces, std::span<const Po
     for (std::size_t i = 0; i < spaces.size(); ++i) {
         const SpaceDesc& s = spaces[i];
         if (s.firstPortal > portals.size() || s.portalCount > portals.size() - s.firstPortal)
-            return fail(ErrorCode::BadArgument, fmt::format("space {}", i), "has portals outside the array");
+            return fail(ErrorCode::BadArgument, "space " + std::to_string(i),
+                        "has portals outside the array");
         Space space{s.firstPortal, s.portalCount, s.zone, kNone};
         if (s.portalCount > kPortalsWithoutTree) {
             order.resize(s.portalCount);

@@ -35,7 +35,7 @@ struct PortalDesc {
 
 /// Spaces joined by portals, ready to be flooded: the caller's arrays checked and copied, with planes and,
 /// for spaces with many portals, a tree of bounds. Immutable; may be shared by threads.
-class Graph {
+class LIMEN_API Graph {
 public:
     /// Checks every index and copies. `vertices` are metres in one frame of the caller's choice. A portal
     /// without area, or with fewer than three vertices, is kept but never admitted. Errors: BadArgument for

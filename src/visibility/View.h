@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Error.h"
 #include "geometry/Vec.h"
 
 #include <cstdint>
@@ -9,7 +10,7 @@ namespace limen::visibility {
 /// An eye and its perspective. Screen space in this room is homogeneous (x, y, w): x to the right and y up,
 /// scaled so that the screen is |x| <= w, |y| <= w, and w the distance forward in metres. There is no near
 /// plane.
-struct View {
+struct LIMEN_API View {
     Vec3 eye{0.0};                                      ///< in the graph's frame
     Vec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0}; ///< orthonormal
     double tanHalfX = 1.0, tanHalfY = 1.0;              ///< tangents of half the field of view, > 0
@@ -19,6 +20,19 @@ struct View {
     /// eye back.
     [[nodiscard]] Mat3 screenFromEye() const;
 };
+
+/// A view as people describe it.
+struct LookAt {
+    Vec3 eye{0.0}, target{0.0, 1.0, 0.0}; ///< in the graph's frame; the eye looks at the target
+    Vec3 up{0.0, 0.0, 1.0};               ///< any length; not along the gaze
+    double heightDegrees = 60.0;          ///< the vertical field of view, more than 0 and less than 180
+    double aspect = 16.0 / 9.0;           ///< width by height of the picture, > 0
+    std::uint32_t root = 0;               ///< the space the eye is in
+};
+
+/// Errors: BadArgument for numbers that are not finite, a target in the eye, `up` along the gaze, an angle or an aspect
+/// out of range.
+[[nodiscard]] LIMEN_API Result<View> viewOf(const LookAt& look);
 
 /// Parts of the method that tests can switch off. Each part is necessary: without it some view is wrong
 /// (docs/proof.md), and a test shows that the check notices.

@@ -1,8 +1,14 @@
 #include "visibility/Viewcone.h"
 
+#include "geometry/Tolerances.h"
+
 #include <algorithm>
 
 namespace limen::visibility {
+
+struct Viewcones::CoversTheGate {
+    static_assert(kToleranceShare > kEntryPlaneToleranceSlope && kTolerance > kInPlaneTolerance);
+};
 
 void Viewcones::prepare(const View& view, const VisibleSet& set, double pixel) {
     view_ = view;

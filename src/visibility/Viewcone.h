@@ -1,6 +1,5 @@
 #pragma once
 
-#include "geometry/Tolerances.h"
 #include "visibility/VisibleSet.h"
 
 #include <algorithm>
@@ -84,11 +83,11 @@ enum class Vectors : std::uint8_t {
     Avx512 ///< sixteen floats
 };
 /// The widest set that this processor supports.
-[[nodiscard]] Vectors widestVectors();
+[[nodiscard]] LIMEN_API Vectors widestVectors();
 
 /// The visits of one flood as planes, for frustum culling of spheres. Reuse it: steady frames allocate
 /// nothing.
-class Viewcones {
+class LIMEN_API Viewcones {
 public:
     /// `vectors`: a set that the processor supports. The results do not depend on it.
     explicit Viewcones(Vectors vectors = widestVectors()) : vectors_(vectors) {}
@@ -144,7 +143,7 @@ private:
     /// it is so by more than the tolerance, and outside only if by more than it.
     static constexpr double kToleranceShare = 2e-6;
     static constexpr double kTolerance = 0.004;
-    static_assert(kToleranceShare > kEntryPlaneToleranceSlope && kTolerance > kInPlaneTolerance);
+    struct CoversTheGate; ///< asserts it, in Viewcone.cpp
     struct Cone {
         Plane entry;
         std::uint32_t firstEdges = 0, edgesCount = 0, parent = 0;

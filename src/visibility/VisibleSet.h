@@ -51,7 +51,7 @@ struct FloodCounts {
 };
 
 /// The result of one flood; see docs/ray-rule.md. Reuse it: `clear` keeps the capacity.
-struct VisibleSet {
+struct LIMEN_API VisibleSet {
     /// Depth-first, the root first, parents before children, far siblings (with their subtrees) before near
     /// ones. Painting the regions in this order leaves every pixel with its leaf visit.
     std::vector<Visit> visits;

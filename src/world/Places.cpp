@@ -69,7 +69,7 @@ Result<WorldFile> loadWorldFile(const std::filesystem::path& directory) {
         return WorldFile();
     const Result<std::string> text = readText(path);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     return parseWorldFile(*text, path.string());
 }
 
@@ -109,7 +109,7 @@ Result<WorldFile> parseWorldFile(const std::string& text, const std::string& fil
     }
     Result<MovingEntries> moving = readMovingEntries(json, file);
     if (!moving)
-        return tl::unexpected(moving.error());
+        return Failure(moving.error());
     world.moving = std::move(*moving);
     return world;
 }

@@ -101,8 +101,9 @@ fs::path folderOf(const std::string& room) {
     return room == "worlds" ? kRoot / room : kRoot / "src" / room;
 }
 
-/// The room of an include, or "" for a library header.
-std::string roomOf(const std::string& include) {
+/// The room of an include, or "" for a library header. "limen/room/Header.h" is its form in examples.
+std::string roomOf(const std::string& given) {
+    const std::string include = given.starts_with("limen/") ? given.substr(6) : given;
     const std::string first = include.substr(0, include.find('/'));
     const bool isRoom =
         first.size() < include.size() && !first.starts_with('.') && fs::is_directory(folderOf(first));
@@ -245,7 +246,7 @@ TEST(Examples, theFloodNeedsOnlyVisibilityGeometryAndCore) {
 TEST(Examples, theFloodsTargetLinksOnlyVisibilityGeometryAndCore) {
     // The target_link_libraries line of a target flood* or example_flood* in examples/CMakeLists.txt.
     static const std::regex kLine(R"(target_link_libraries\(\s*((?:example_)?flood\w*)([^)]*)\))");
-    static const std::regex kTarget(R"(limen::(\w+))");
+    static const std::regex kTarget(R"(limen(?:::|_library_)(\w+))");
     std::ifstream in(kRoot / "examples" / "CMakeLists.txt");
     const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     const Names allowed{"visibility", "geometry", "core"};

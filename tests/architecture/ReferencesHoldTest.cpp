@@ -29,7 +29,8 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 11> kRoots{"src/",      "worlds/", "shaders/", "tests/",
                                                   "bench/",    "fuzz/",   "tools/",   "docs/",
                                                   "examples/", "cmake/",  ".github/"};
-constexpr std::array<std::string_view, 6> kSourceEndings{".h", ".cpp", ".glsl", ".vert", ".frag", ".comp"};
+constexpr std::array<std::string_view, 7> kSourceEndings{".h",    ".c",    ".cpp", ".glsl",
+                                                         ".vert", ".frag", ".comp"};
 
 template <std::size_t N>
 bool startsWithAny(std::string_view text, const std::array<std::string_view, N>& parts) {
@@ -154,7 +155,10 @@ public:
         const auto found = files_.lower_bound(start);
         return found != files_.end() && found->first.starts_with(start);
     }
+    /// Users include a public header as limen/room/Header.h; limen/version.h is made from a template.
     [[nodiscard]] bool hasEnding(std::string_view ending) const {
+        if (ending.starts_with("limen/"))
+            return hasEnding(ending.substr(6)) || hasEnding(std::string(ending.substr(6)) + ".in");
         return std::any_of(files_.begin(), files_.end(), [&](const auto& file) {
             const std::string& path = file.first;
             return path.ends_with(ending) &&

@@ -45,7 +45,7 @@ inline Error readError(const Bytes& bytes, RecordId id) {
     const auto file = File::fromBytes(bytes, "bad.dat");
     EXPECT_TRUE(file) << file.error().message();
     Bytes scratch;
-    const auto payload = file ? file->read(id, scratch) : tl::unexpected(Error{});
+    const auto payload = file ? file->read(id, scratch) : Failure(Error{});
     EXPECT_FALSE(payload);
     return payload ? Error{} : payload.error();
 }

@@ -1,7 +1,7 @@
 #include "SpheresInTwoSpaces.h"
 
 #include "frame/LevelSelection.h"
-#include "visibility/GraphBuilder.h"
+#include "visibility/TestGraph.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ constexpr double kNearPlane = 0.1;
 /// A view with one visit, which has the whole picture.
 struct OneVisit {
     OneVisit(const Vec3& from, double yaw, double pitch) : eye(from) {
-        visibility::GraphBuilder world;
+        visibility::TestGraph world;
         world.addSpace();
         view = visibility::viewFrom(eye, yaw, pitch, 0);
         cones.prepare(view, visibility::floodOnce(world.build(), view), 0.002);

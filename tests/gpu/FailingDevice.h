@@ -44,7 +44,7 @@ public:
     }
 
 private:
-    static tl::unexpected<Error> outOfMemory(std::string_view label) {
+    static Failure outOfMemory(std::string_view label) {
         return fail(ErrorCode::Driver, std::string(label), "out of memory");
     }
     bool failsNow() {

@@ -103,8 +103,8 @@ struct BuiltIn {
         EXPECT_TRUE(archive && file);
     }
     test::TempDir directory;
-    Result<dat::Archive> archive = tl::unexpected(Error());
-    Result<world::WorldFile> file = tl::unexpected(Error());
+    Result<dat::Archive> archive = Failure(Error());
+    Result<world::WorldFile> file = Failure(Error());
 };
 
 TEST(WalkTour, walkingAheadFromTheStartEntersAHouse) {

@@ -24,7 +24,7 @@ Result<void> filmOf(const std::filesystem::path& ffmpeg, const std::filesystem::
                     const Picture& picture = Picture(64, 48, {200, 100, 50})) {
     Result<Film> film = Film::start(ffmpeg, path, picture.width, picture.height, 25.0);
     if (!film)
-        return tl::unexpected(film.error());
+        return Failure(film.error());
     for (int i = 0; i < frames; ++i)
         if (Result<void> added = film->add(picture); !added)
             return added;

@@ -23,7 +23,7 @@ Result<Content> contentOf(const std::string& text) {
     ContentBuilder builder;
     const Result<void> done = executeSql(tokens, builder);
     if (!done)
-        return tl::unexpected(done.error());
+        return Failure(done.error());
     return builder.finish();
 }
 

@@ -1,5 +1,5 @@
 // The flood of graphs that no world should have: it ends, and its result is finite and a tree.
-#include "visibility/GraphBuilder.h"
+#include "visibility/TestGraph.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "visibility/GraphBuilder.h"
+#include "visibility/TestGraph.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 /// Two rooms along +y with a door between them in y = 10.
 Graph twoRooms() {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));

@@ -1,6 +1,6 @@
 #include "geometry/ConvexPolygon.h"
-#include "visibility/GraphBuilder.h"
 #include "visibility/Region.h"
+#include "visibility/TestGraph.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -60,7 +60,7 @@ std::vector<std::uint32_t> chainOfRay(const Graph& graph, const View& view, cons
 /// walls have two openings; a few openings are inexact pairs or have no room behind. The lattice has loops,
 /// and one space (the "outside") surrounds everything.
 Graph randomComplex(std::mt19937& random, int size) {
-    GraphBuilder world;
+    TestGraph world;
     const auto cell = [&](int x, int y, int z) {
         return static_cast<std::uint32_t>((z * size + y) * size + x);
     };

@@ -1,6 +1,6 @@
 #include "visibility/EyeSpace.h"
-#include "visibility/GraphBuilder.h"
 #include "visibility/Region.h"
+#include "visibility/TestGraph.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@ using Chain = std::vector<std::uint32_t>;
 
 /// Rooms in a row along +y, 10 m deep, a 2 m × 2 m door in every wall: room i spans y in [10 i, 10 i + 10].
 /// Each room is a zone of its own, or all are one zone.
-GraphBuilder rowOfRooms(int count, bool oneZone = false) {
-    GraphBuilder world;
+TestGraph rowOfRooms(int count, bool oneZone = false) {
+    TestGraph world;
     for (int i = 0; i < count; ++i)
         world.addSpace(oneZone ? 0 : static_cast<std::uint32_t>(i));
     for (int i = 0; i + 1 < count; ++i) {
@@ -23,7 +23,7 @@ GraphBuilder rowOfRooms(int count, bool oneZone = false) {
 }
 
 TEST(Flood, seesOnlyTheRootWithoutPortals) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     const VisibleSet set = floodOnce(world.build(), viewFrom({0, 0, 0}, 0, 0, 0));
     ASSERT_EQ(set.visits.size(), 1u);
@@ -76,7 +76,7 @@ TEST(Flood, aShutOpeningWithinAZoneIsAVisitToo) {
 }
 
 TEST(Flood, hasNoDistanceCutOff) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.link(0, 1, uprightRectangle({0, 40000.0, 0}, {0, -1, 0}, 2, 2));
@@ -85,7 +85,7 @@ TEST(Flood, hasNoDistanceCutOff) {
 
 TEST(Flood, takesOnlyOnePathRoundALoop) {
     // Two rooms joined by two adjacent doors: each door shows the other room once, none leads back.
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.link(0, 1, uprightRectangle({-2, 10, 0}, {0, -1, 0}, 2, 2));
@@ -96,7 +96,7 @@ TEST(Flood, takesOnlyOnePathRoundALoop) {
 
 /// Two rooms of one zone joined by two doors 2 m wide, with `apart` metres between their centres.
 FloodCounts countsOfTwoDoors(double apart) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace(0);
     world.addSpace(0);
     world.link(0, 1, uprightRectangle({-apart / 2, 10, 0}, {0, -1, 0}, 2, 2));
@@ -147,7 +147,7 @@ TEST(Flood, anEyeStaysInItsRootInThePlaneTooFarPastItAndBesideIt) {
 }
 
 TEST(Flood, anEyeThatHasPassedOneOpeningOfAnInexactPairBeginsBehindItOnlyIfThroughBoth) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
@@ -158,7 +158,7 @@ TEST(Flood, anEyeThatHasPassedOneOpeningOfAnInexactPairBeginsBehindItOnlyIfThrou
 }
 
 TEST(Flood, leavesNothingOutOfAViewOfSevenThousandCells) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     for (std::uint32_t i = 0; i < 7000; ++i) {
         world.addSpace();
@@ -174,7 +174,7 @@ TEST(Flood, leavesNothingOutOfAViewOfSevenThousandCells) {
 TEST(Flood, anOpeningInWhosePlaneTheEyeLiesIsNearerThanAnyOther) {
     // To the north, 0.3 micrometres ahead, an opening whose plane counts as containing the eye; to the east, 0.2
     // micrometres ahead, one that begins beside the eye.
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.addSpace();
@@ -208,7 +208,7 @@ TEST(Flood, behindThePlaneOfItsOwnDoorTheEyeSeesNothingThroughIt) {
 }
 
 TEST(Flood, opensInexactPairsWhereBothPolygonsAre) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
@@ -231,7 +231,7 @@ TEST(Flood, opensInexactPairsWhereBothPolygonsAre) {
 }
 
 TEST(Flood, leavesNoHoleWhereTheWayBackIsLarger) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
@@ -242,7 +242,7 @@ TEST(Flood, leavesNoHoleWhereTheWayBackIsLarger) {
 }
 
 TEST(Flood, aPortalThatLeadsNowhereIsAHoleAndHidesWhatLiesBehind) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.linkOneWay(0, kNone, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
@@ -255,7 +255,7 @@ TEST(Flood, aPortalThatLeadsNowhereIsAHoleAndHidesWhatLiesBehind) {
 }
 
 TEST(Flood, anEyePastTheOtherPlaneOfAnInexactPairButInItIsThroughThatPolygon) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
@@ -272,7 +272,7 @@ TEST(Flood, anEyePastTheOtherPlaneOfAnInexactPairButInItIsThroughThatPolygon) {
 TEST(Flood, partsOpeningsThatOverlapInACircleWithAHole) {
     // The hole is painted before its opening. A slanted third opening is behind the hole's middle and before
     // the opening.
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.addSpace();
@@ -287,7 +287,7 @@ TEST(Flood, partsOpeningsThatOverlapInACircleWithAHole) {
 }
 
 TEST(Flood, inThePlaneOfAnInexactPairBothPolygonsMustHoldTheEye) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
@@ -304,7 +304,7 @@ TEST(Flood, inThePlaneOfAnInexactPairBothPolygonsMustHoldTheEye) {
 TEST(Flood, drawsFarSiblingsAndAllTheirSubtreesFirst) {
     // From outside: a near house with a door, and behind it, on the same line of sight, a far house with two
     // rooms in a row. The near opening is drawn last.
-    GraphBuilder world;
+    TestGraph world;
     const std::uint32_t outside = world.addSpace();
     const std::uint32_t nearRoom = world.addSpace();
     const std::uint32_t farRoom = world.addSpace();
@@ -322,7 +322,7 @@ TEST(Flood, drawsFarSiblingsAndAllTheirSubtreesFirst) {
 }
 
 TEST(Flood, dropsASiblingWhollyCoveredByANearerOne) {
-    GraphBuilder world;
+    TestGraph world;
     const std::uint32_t outside = world.addSpace();
     world.addSpace();
     world.addSpace();
@@ -334,7 +334,7 @@ TEST(Flood, dropsASiblingWhollyCoveredByANearerOne) {
 
 TEST(Flood, cutsACircleOfOverlaps) {
     // Three long strips, each in front of the next: no order of whole strips is right.
-    GraphBuilder world;
+    TestGraph world;
     const std::uint32_t outside = world.addSpace();
     const double turn = 2.0 * 3.14159265358979 / 3.0;
     for (int i = 0; i < 3; ++i) {
@@ -354,7 +354,7 @@ TEST(Flood, cutsACircleOfOverlaps) {
 }
 
 TEST(Flood, keepsTheLargestRegionsWhenTheBudgetIsReached) {
-    GraphBuilder world;
+    TestGraph world;
     const std::uint32_t outside = world.addSpace();
     for (int i = 0; i < 9; ++i) {
         const double size = i == 4 ? 1.0 : 0.2;
@@ -367,7 +367,7 @@ TEST(Flood, keepsTheLargestRegionsWhenTheBudgetIsReached) {
 }
 
 TEST(Flood, mergesCellsOfOneZoneIntoOneVisit) {
-    GraphBuilder world;
+    TestGraph world;
     for (int i = 0; i < 4; ++i)
         world.addSpace(7);
     for (std::uint32_t i = 0; i < 3; ++i)
@@ -382,7 +382,7 @@ TEST(Flood, mergesCellsOfOneZoneIntoOneVisit) {
 
 TEST(Flood, doesNotLeakThroughTheScreensEdgeInsideAZone) {
     // Looking past the door: it is off the screen to the right, half of it behind the eye.
-    GraphBuilder world;
+    TestGraph world;
     for (int i = 0; i < 6; ++i)
         world.addSpace(0);
     for (std::uint32_t i = 0; i < 5; ++i)
@@ -391,7 +391,7 @@ TEST(Flood, doesNotLeakThroughTheScreensEdgeInsideAZone) {
 }
 
 TEST(Flood, survivesSelfPortalsAndPolygonsWithoutArea) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.linkOneWay(0, 0, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));

@@ -1,5 +1,5 @@
 // For each fate of a portal, a small scene that produces it.
-#include "visibility/GraphBuilder.h"
+#include "visibility/TestGraph.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ using Fates = std::vector<PortalFate>;
 
 /// The fates of the first portal of a room at the origin with one opening to another room, 10 m to the north.
 Fates fatesOfOneDoor(const View& view, std::span<const std::uint8_t> closed = {}) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
@@ -41,7 +41,7 @@ Fates fatesOfOneDoor(const View& view, std::span<const std::uint8_t> closed = {}
 }
 
 TEST(FloodTrace, hasAdmittedRaysAndTheWayBack) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
@@ -63,7 +63,7 @@ TEST(FloodTrace, tellsOfOpeningsThatAreShutOrLeadNowhere) {
     EXPECT_EQ(fatesOfOneDoor(viewFrom({0, 0, 0}, 0, 0, 0), shut), Fates{PortalFate::Shut});
     EXPECT_EQ(fatesOfOneDoor(viewFrom({0, 10, 0}, 0, 0, 0), shut), Fates{PortalFate::EdgeOn})
         << "in the plane of the filling";
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.linkOneWay(0, kNone, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
     EXPECT_EQ(traced(world.build(), viewFrom({0, 0, 0}, 0, 0, 0)).fatesOf(0),
@@ -71,7 +71,7 @@ TEST(FloodTrace, tellsOfOpeningsThatAreShutOrLeadNowhere) {
 }
 
 TEST(FloodTrace, tellsOfPolygonsWithoutArea) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.link(0, 1, {{-1, 10, 0}, {0, 10, 0}, {1, 10, 0}});
@@ -79,13 +79,13 @@ TEST(FloodTrace, tellsOfPolygonsWithoutArea) {
 }
 
 TEST(FloodTrace, tellsOfInexactPairsThatMissEachOther) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     world.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2),
                       uprightRectangle({5, 10, 0}, {0, 1, 0}, 2, 2));
     EXPECT_EQ(traced(world.build(), viewFrom({0, 0, 0}, 0, 0, 0)).fatesOf(0), Fates{PortalFate::PairMissed});
-    GraphBuilder partly;
+    TestGraph partly;
     partly.addSpace();
     partly.addSpace();
     partly.linkInexact(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2),
@@ -97,7 +97,7 @@ TEST(FloodTrace, tellsOfInexactPairsThatMissEachOther) {
 
 TEST(FloodTrace, tellsOfOpeningsBeforeThePlaneThatTheRaysCameInBy) {
     // An opening of the second room that is on this side of the door to that room.
-    GraphBuilder world;
+    TestGraph world;
     for (int i = 0; i < 3; ++i)
         world.addSpace();
     world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
@@ -109,7 +109,7 @@ TEST(FloodTrace, tellsOfOpeningsBeforeThePlaneThatTheRaysCameInBy) {
 }
 
 TEST(FloodTrace, tellsOfOpeningsThatNearerOnesCover) {
-    GraphBuilder world;
+    TestGraph world;
     for (int i = 0; i < 3; ++i)
         world.addSpace();
     world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 6, 6));
@@ -120,7 +120,7 @@ TEST(FloodTrace, tellsOfOpeningsThatNearerOnesCover) {
 }
 
 TEST(FloodTrace, tellsOfOpeningsThatTheBudgetLeavesOut) {
-    GraphBuilder world;
+    TestGraph world;
     for (int i = 0; i < 4; ++i)
         world.addSpace();
     for (std::uint32_t i = 1; i < 4; ++i) // ever smaller, side by side
@@ -134,7 +134,7 @@ TEST(FloodTrace, tellsOfOpeningsThatTheBudgetLeavesOut) {
 }
 
 TEST(FloodTrace, tellsWhatBecomesOfOpeningsWithinAZone) {
-    GraphBuilder world;
+    TestGraph world;
     for (int i = 0; i < 5; ++i)
         world.addSpace(0);
     world.linkOneWay(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
@@ -155,7 +155,7 @@ TEST(FloodTrace, tellsWhatBecomesOfOpeningsWithinAZone) {
 
 TEST(FloodTrace, tellsOfRingsOfBentOpenings) {
     // A bent polygon extends beyond its own plane, so that rays meet it again.
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     world.addSpace();
     const std::vector<Vec3> bent{{-2, 10, -2}, {2, 10, -2}, {2, 10, 2}, {0, 16, 3}, {-2, 10, 2}};
@@ -168,7 +168,7 @@ TEST(FloodTrace, tellsOfRingsOfBentOpenings) {
 }
 
 TEST(FloodTrace, everyPortalOfASpaceThatIsSeenIsToldOfAlsoWhenThereAreMany) {
-    GraphBuilder world;
+    TestGraph world;
     world.addSpace();
     for (std::uint32_t i = 0; i < 200; ++i) {
         world.addSpace();

@@ -1,7 +1,7 @@
 #include "visibility/Outline.h"
 
-#include "visibility/GraphBuilder.h"
 #include "visibility/Region.h"
+#include "visibility/TestGraph.h"
 
 #include <gtest/gtest.h>
 

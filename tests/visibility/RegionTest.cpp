@@ -1,5 +1,5 @@
 #include "visibility/Region.h"
-#include "visibility/Rect.h"
+#include "visibility/RectLanes.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

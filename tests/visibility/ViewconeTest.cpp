@@ -1,5 +1,5 @@
 #include "visibility/Viewcone.h"
-#include "visibility/GraphBuilder.h"
+#include "visibility/TestGraph.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ constexpr double kPixel = 0.002;
 /// Looking north from (0,0,0) through a 2 m door 10 m away.
 struct DoorView : ::testing::Test {
     DoorView() {
-        GraphBuilder world;
+        TestGraph world;
         world.addSpace();
         world.addSpace();
         world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
@@ -87,7 +87,7 @@ struct OwnBatch {
 /// touches an edge of the rectangle, or misses it narrowly.
 struct SphereBatchTest : ::testing::Test {
     SphereBatchTest() {
-        GraphBuilder world;
+        TestGraph world;
         world.addSpace();
         view = viewFrom(eye, 40, -10, 0);
         set = floodOnce(world.build(), view);

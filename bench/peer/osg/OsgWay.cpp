@@ -128,7 +128,7 @@ Result<std::unique_ptr<FrameWay>> makePeerWay(std::uint32_t width, std::uint32_t
     Result<gpu::HeadlessContext> context =
         gpu::HeadlessContext::create(false, gpu::ContextProfile::Compatibility);
     if (!context)
-        return tl::unexpected(context.error());
+        return Failure(context.error());
     return std::make_unique<OsgWay>(std::move(*context), width, height);
 }
 

@@ -11,14 +11,14 @@ Result<DatFiles> openDatFiles(const std::string& path) {
     if (std::filesystem::is_regular_file(path, ignored)) {
         Result<dat::File> file = dat::File::open(path);
         if (!file)
-            return tl::unexpected(file.error());
+            return Failure(file.error());
         files.single = std::make_unique<dat::File>(std::move(*file));
         files.list.push_back(files.single.get());
         return files;
     }
     Result<engine::WorldSource> source = engine::openWorldSource(path, engine::PlaceSearch::Skip);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     files.source = std::make_unique<engine::WorldSource>(std::move(*source));
     const dat::Archive& archive = files.source->archive;
     for (const dat::File* file : {&archive.portal(), &archive.cell(), archive.highres(), archive.local()})

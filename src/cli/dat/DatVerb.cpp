@@ -62,10 +62,10 @@ struct ListOptions {
 Result<Exit> runList(const ListOptions& options, const Console& console) {
     const Result<std::optional<dat::RecordKind>> wanted = parseKind(options.type);
     if (!wanted)
-        return tl::unexpected(wanted.error());
+        return Failure(wanted.error());
     const Result<DatFiles> files = openDatFiles(options.path);
     if (!files)
-        return tl::unexpected(files.error());
+        return Failure(files.error());
     std::size_t count = 0;
     for (const dat::File* file : files->list) {
         for (const std::string& warning : file->warnings())
@@ -78,7 +78,7 @@ Result<Exit> runList(const ListOptions& options, const Console& console) {
             return true;
         });
         if (!walked)
-            return tl::unexpected(walked.error());
+            return Failure(walked.error());
     }
     if (count == 0)
         console.note(fmt::format("limen: no {} record is in these files; list all kinds with limen dat ls",
@@ -98,7 +98,7 @@ Result<const dat::File*> holderOf(const DatFiles& files, dat::RecordId id, const
             continue;
         const Result<std::optional<dat::Entry>> entry = file->find(id);
         if (!entry)
-            return tl::unexpected(entry.error());
+            return Failure(entry.error());
         if (*entry)
             holders.push_back(file);
     }
@@ -116,20 +116,20 @@ Result<const dat::File*> holderOf(const DatFiles& files, dat::RecordId id, const
 Result<Exit> runShow(const ShowOptions& options, const Console& console) {
     const Result<dat::RecordId> id = parseRecordId("ID", options.id);
     if (!id)
-        return tl::unexpected(id.error());
+        return Failure(id.error());
     const Result<DatFiles> files = openDatFiles(options.path);
     if (!files)
-        return tl::unexpected(files.error());
+        return Failure(files.error());
     const Result<const dat::File*> file = holderOf(*files, *id, options.in);
     if (!file)
-        return tl::unexpected(file.error());
+        return Failure(file.error());
     dat::Bytes scratch;
     const Result<dat::ByteView> payload = (*file)->read(*id, scratch);
     if (!payload)
-        return tl::unexpected(payload.error());
+        return Failure(payload.error());
     const Result<std::string> text = dat::describe((*file)->role(), *id, *payload);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     console.data(*text);
     if (!text->ends_with('\n'))
         console.data("\n");

@@ -59,10 +59,10 @@ Result<Exported> asJson(const dat::File& file, dat::RecordId id) {
     dat::Bytes scratch;
     const Result<dat::ByteView> payload = file.read(id, scratch);
     if (!payload)
-        return tl::unexpected(payload.error());
+        return Failure(payload.error());
     const Result<std::string> text = dat::describe(file.role(), id, *payload);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     return Exported{"json", *text};
 }
 
@@ -77,10 +77,10 @@ Result<Exported> asBytes(const dat::File& file, dat::RecordId id) {
 Result<Exported> asPng(const dat::Archive& archive, dat::RecordId id) {
     const Result<world::Image> image = world::loadPicture(archive, id);
     if (!image)
-        return tl::unexpected(image.error());
+        return Failure(image.error());
     const Result<std::vector<std::byte>> png = output::encodePng(image->width, image->height, image->rgba);
     if (!png)
-        return tl::unexpected(png.error());
+        return Failure(png.error());
     return Exported{"png", std::string(reinterpret_cast<const char*>(png->data()), png->size())};
 }
 
@@ -90,7 +90,7 @@ Result<Exported> placesAsGltf(const dat::Archive& archive, dat::RecordId id, dat
         archive, dat::blockOf(id),
         {.radius = 0, .detail = std::numeric_limits<double>::infinity()}); // the finest level of detail
     if (!world)
-        return tl::unexpected(world.error());
+        return Failure(world.error());
     const world::SpaceIndex cell =
         kind == dat::RecordKind::EnvCell ? world::findCell(*world, id) : world::kNone;
     if (kind == dat::RecordKind::EnvCell && cell == world::kNone)
@@ -102,7 +102,7 @@ Result<Exported> placesAsGltf(const dat::Archive& archive, dat::RecordId id, dat
             instances.push_back(i);
     const Result<std::string> bytes = output::encodeGlb(*world, instances, world->blocks.front().origin());
     if (!bytes)
-        return tl::unexpected(bytes.error());
+        return Failure(bytes.error());
     return Exported{"glb", *bytes};
 }
 
@@ -121,12 +121,12 @@ Result<Exported> asGltf(const dat::Archive& archive, dat::RecordId id, dat::Reco
     }
     const Result<world::World> world = world::loadModel(archive, id);
     if (!world)
-        return tl::unexpected(world.error());
+        return Failure(world.error());
     std::vector<world::InstanceIndex> instances(world->instances.size());
     std::iota(instances.begin(), instances.end(), 0u);
     const Result<std::string> bytes = output::encodeGlb(*world, instances, world->blocks.front().origin());
     if (!bytes)
-        return tl::unexpected(bytes.error());
+        return Failure(bytes.error());
     return Exported{"glb", *bytes};
 }
 
@@ -152,15 +152,15 @@ Result<Exit> runExport(const ExportArguments& arguments, const Console& console)
     for (const std::string& text : arguments.ids) {
         const Result<dat::RecordId> id = parseRecordId("ID", text);
         if (!id)
-            return tl::unexpected(id.error());
+            return Failure(id.error());
         ids.push_back(*id);
     }
     const Result<engine::WorldSource> source =
         engine::openWorldSource(arguments.dat, engine::PlaceSearch::Skip);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     if (Result<void> made = output::makeDirectory(arguments.directory); !made)
-        return tl::unexpected(made.error());
+        return Failure(made.error());
     console.interrupt().defer();
     std::size_t count = 0;
     Progress progress(console, "export", ids.size());
@@ -171,11 +171,11 @@ Result<Exit> runExport(const ExportArguments& arguments, const Console& console)
         }
         const Result<Exported> out = exported(source->archive, id, arguments.format);
         if (!out)
-            return tl::unexpected(out.error());
+            return Failure(out.error());
         const std::filesystem::path path =
             std::filesystem::path(arguments.directory) / fmt::format("{:08X}.{}", id, out->extension);
         if (Result<void> written = output::writeFile(path, std::string_view(out->bytes)); !written)
-            return tl::unexpected(written.error());
+            return Failure(written.error());
         console.data(path.string() + "\n");
         progress.step(++count);
     }

@@ -84,10 +84,10 @@ Result<dat::RecordId> idOf(const fs::path& file) {
 Result<void> addFile(const fs::path& file, dat::FileRole role, dat::Writer& writer) {
     const Result<dat::RecordId> id = idOf(file);
     if (!id)
-        return tl::unexpected(id.error());
+        return Failure(id.error());
     const Result<std::string> text = output::readTextFile(file, kLargestRecord); // binary data
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     const auto* begin = reinterpret_cast<const std::byte*>(text->data());
     dat::Bytes payload(begin, begin + text->size());
     if (const Result<std::string> decoded = dat::describe(role, *id, payload); !decoded)
@@ -105,7 +105,7 @@ Result<void> addBase(const dat::File& base, const std::vector<dat::RecordId>& wi
             return true;
         const Result<dat::ByteView> payload = base.read(entry, scratch);
         if (!payload) {
-            added = tl::unexpected(payload.error());
+            added = Failure(payload.error());
             return false;
         }
         constexpr std::uint16_t kCompressed = 1;
@@ -120,7 +120,7 @@ Result<std::vector<dat::RecordId>> idsOf(const std::vector<std::string>& texts) 
     for (const std::string& text : texts) {
         const Result<dat::RecordId> id = parseRecordId("--without", text);
         if (!id)
-            return tl::unexpected(id.error());
+            return Failure(id.error());
         ids.push_back(*id);
     }
     return ids;
@@ -128,25 +128,25 @@ Result<std::vector<dat::RecordId>> idsOf(const std::vector<std::string>& texts) 
 
 Result<Exit> runPack(const PackArguments& arguments, const Console& console) {
     if (Result<void> writable = output::checkWritable(arguments.output); !writable)
-        return tl::unexpected(writable.error());
+        return Failure(writable.error());
     const Result<std::vector<fs::path>> files = filesOf(arguments.inputs);
     const Result<std::vector<dat::RecordId>> without = idsOf(arguments.without);
     if (!files || !without)
-        return tl::unexpected(files ? without.error() : files.error());
+        return Failure(files ? without.error() : files.error());
     std::optional<dat::File> base;
     if (!arguments.base.empty()) {
         Result<dat::File> opened = dat::File::open(arguments.base);
         if (!opened)
-            return tl::unexpected(opened.error());
+            return Failure(opened.error());
         base = std::move(*opened);
     }
     const Result<Target> target = base ? Result<Target>(targetLike(*base)) : targetNamed(arguments.role);
     if (!target)
-        return tl::unexpected(target.error());
+        return Failure(target.error());
     dat::Writer writer(target->traits);
     if (base) {
         if (Result<void> added = addBase(*base, *without, writer); !added)
-            return tl::unexpected(added.error());
+            return Failure(added.error());
     }
     Progress progress(console, "pack", files->size());
     console.interrupt().defer();
@@ -157,12 +157,12 @@ Result<Exit> runPack(const PackArguments& arguments, const Console& console) {
             return Exit::Interrupted;
         }
         if (Result<void> added = addFile((*files)[i], target->role, writer); !added)
-            return tl::unexpected(added.error());
+            return Failure(added.error());
         progress.step(i + 1);
     }
     base.reset(); // the output may replace this file
     if (Result<void> written = writer.write(arguments.output); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     console.wrote(arguments.output,
                   fmt::format("a {} file, with {} records from files{}", nameOfRole(target->role),
                               files->size(), arguments.base.empty() ? "" : " and those of the base"));

@@ -25,10 +25,10 @@ void noteRelease(const dat::Archive& archive, const Console& console) {
 Result<Exit> runRetail(const RetailArguments& arguments, const Console& console) {
     if (!arguments.report.empty())
         if (const Result<void> writable = output::checkWritable(arguments.report); !writable)
-            return tl::unexpected(writable.error());
+            return Failure(writable.error());
     const Result<DatFiles> files = openDatFiles(arguments.path);
     if (!files)
-        return tl::unexpected(files.error());
+        return Failure(files.error());
     if (files->source == nullptr)
         return fail(ErrorCode::BadArgument, arguments.path,
                     "--retail compares the files with one another; give their directory");
@@ -42,12 +42,12 @@ Result<Exit> runRetail(const RetailArguments& arguments, const Console& console)
         });
     progress.reset();
     if (!result)
-        return tl::unexpected(result.error());
+        return Failure(result.error());
     const std::string report = doctor::reportJson(*result, std::string("limen ") + LIMEN_VERSION);
     console.data(arguments.json ? report : doctor::reportText(*result, arguments.most, arguments.all));
     if (!arguments.report.empty()) {
         if (const Result<void> written = output::writeFile(arguments.report, report); !written)
-            return tl::unexpected(written.error());
+            return Failure(written.error());
         console.note(fmt::format("wrote {}: numbers of facts, no game data", arguments.report));
     }
     return result->ledger.count(doctor::Verdict::Wrong) == 0 ? Exit::Done : Exit::Finding;

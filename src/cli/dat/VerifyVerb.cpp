@@ -96,7 +96,7 @@ Result<Exit> runVerify(const VerifyArguments& arguments, const Console& console)
                          console);
     const Result<DatFiles> files = openDatFiles(arguments.path);
     if (!files)
-        return tl::unexpected(files.error());
+        return Failure(files.error());
     std::optional<Progress> progress;
     dat::VerifyOptions options;
     options.mostFaults = arguments.most;

@@ -44,7 +44,7 @@ Result<std::size_t> writePages(const CommandFacts& command, const CommandFacts& 
     if (Result<void> written = output::writeFile(directory / (command.joined('-') + ".1"),
                                                  manPage(command, root, LIMEN_VERSION));
         !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     for (const CommandFacts& below : command.commands) {
         const Result<std::size_t> more = writePages(below, root, directory);
         if (!more)
@@ -58,16 +58,16 @@ Result<Exit> runMan(const CLI::App& program, const HelpArguments& arguments, con
     const CommandFacts root = factsOf(program, {program.get_name()});
     const Result<const CommandFacts*> command = namedCommand(root, arguments.names);
     if (!command)
-        return tl::unexpected(command.error());
+        return Failure(command.error());
     if (arguments.output.empty()) {
         console.data(manPage(**command, root, LIMEN_VERSION));
         return Exit::Done;
     }
     if (Result<void> made = output::makeDirectory(arguments.output); !made)
-        return tl::unexpected(made.error());
+        return Failure(made.error());
     const Result<std::size_t> count = writePages(**command, root, arguments.output);
     if (!count)
-        return tl::unexpected(count.error());
+        return Failure(count.error());
     console.wrote(arguments.output, fmt::format("{} manual pages", *count));
     return Exit::Done;
 }
@@ -91,7 +91,7 @@ Result<Exit> runCompletions(const CLI::App& program, const HelpArguments& argume
         return Exit::Done;
     }
     if (Result<void> written = output::writeFile(arguments.output, text); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     console.wrote(arguments.output, fmt::format("completions for {}", arguments.shell));
     return Exit::Done;
 }
@@ -109,7 +109,7 @@ void addHelpVerb(CLI::App& program, const Console& console, Choice& choice) {
             const CommandFacts root = factsOf(program, {program.get_name()});
             const Result<const CommandFacts*> command = namedCommand(root, arguments->names);
             if (!command)
-                return tl::unexpected(command.error());
+                return Failure(command.error());
             console.data(helpPage(**command));
             return Exit::Done;
         };

@@ -34,7 +34,7 @@ Result<Exit> exportSql(const PlacedWorld& world, const std::filesystem::path& di
                        const Console& console) {
     const Result<placements::Content> content = contentOf(world, console);
     if (!content)
-        return tl::unexpected(content.error());
+        return Failure(content.error());
     std::size_t done = 0;
     const std::size_t total = content->landblocks.size() + content->templates.size();
     console.interrupt().defer();
@@ -50,13 +50,13 @@ Result<Exit> exportSql(const PlacedWorld& world, const std::filesystem::path& di
         if (console.interrupt().isRequested())
             return Exit::Interrupted;
         if (Result<void> written = write(sqlOf(id, landblock)); !written)
-            return tl::unexpected(written.error());
+            return Failure(written.error());
     }
     for (const auto& [id, of] : content->templates) {
         if (console.interrupt().isRequested())
             return Exit::Interrupted;
         if (Result<void> written = write(sqlOf(of)); !written)
-            return tl::unexpected(written.error());
+            return Failure(written.error());
     }
     console.wrote(directory, fmt::format("{} files", groupedText(total)));
     return Exit::Done;
@@ -66,7 +66,7 @@ Result<Exit> exportSql(const PlacedWorld& world, const std::filesystem::path& di
 Result<Exit> exportJson(const PlacedWorld& world, const std::filesystem::path& path, const Console& console) {
     const Result<std::vector<PlacedLine>> lines = listPlaced(world, {});
     if (!lines)
-        return tl::unexpected(lines.error());
+        return Failure(lines.error());
     console.interrupt().defer();
     Progress progress(console, "exporting", lines->size());
     std::string text = "[";
@@ -75,14 +75,14 @@ Result<Exit> exportJson(const PlacedWorld& world, const std::filesystem::path& p
             return Exit::Interrupted;
         const Result<nlohmann::ordered_json> object = describePlaced(world, (*lines)[i].id);
         if (!object)
-            return tl::unexpected(object.error());
+            return Failure(object.error());
         text +=
             (i > 0 ? ",\n" : "\n") + object->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
         progress.step(i + 1);
     }
     text += "\n]\n";
     if (Result<void> written = output::writeFile(path, text); !written)
-        return tl::unexpected(written.error());
+        return Failure(written.error());
     console.wrote(path, fmt::format("{} objects", groupedText(lines->size())));
     return Exit::Done;
 }
@@ -93,10 +93,10 @@ Result<Exit> runWorldExport(const WorldExportArguments& arguments, const Console
                                          : isSql                   ? "."
                                                                    : "world-objects.json";
     if (Result<void> ready = isSql ? output::makeDirectory(output) : output::checkWritable(output); !ready)
-        return tl::unexpected(ready.error());
+        return Failure(ready.error());
     const Result<PlacedWorld> world = openPlacedWorld(arguments.dat);
     if (!world)
-        return tl::unexpected(world.error());
+        return Failure(world.error());
     return isSql ? exportSql(*world, output, console) : exportJson(*world, output, console);
 }
 

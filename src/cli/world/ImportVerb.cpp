@@ -93,22 +93,20 @@ Result<Exit> runWorldImport(const WorldImportArguments& arguments, const Console
         return fail(ErrorCode::BadArgument, "SOURCE", "a server is the only source; give one URL, or paths");
     const Result<std::filesystem::path> path = outputOf(arguments);
     if (!path)
-        return tl::unexpected(path.error());
+        return Failure(path.error());
     if (Result<void> writable = output::checkWritable(*path); !writable)
-        return tl::unexpected(writable.error());
+        return Failure(writable.error());
     console.interrupt().defer();
     const Result<placements::Content> content = readSources(arguments, console);
     if (!content)
-        return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted)
-                                                 : tl::unexpected(content.error());
+        return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted) : Failure(content.error());
     const Result<placements::WriteCounts> counts = [&] {
         const Waiting waiting(console, "writing " + path->filename().string());
         return placements::writeWorldDb(*path, *content, {sourceText(arguments.sources), nowText()},
                                         [&] { return !console.interrupt().isRequested(); });
     }();
     if (!counts)
-        return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted)
-                                                 : tl::unexpected(counts.error());
+        return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted) : Failure(counts.error());
     report(*path, *counts, console);
     return Exit::Done;
 }

@@ -54,10 +54,10 @@ Result<Exit> runWorldList(const WorldListArguments& arguments, const Console& co
     }
     const Result<PlacedWorld> world = openPlacedWorld(arguments.dat);
     if (!world)
-        return tl::unexpected(world.error());
+        return Failure(world.error());
     const Result<std::vector<PlacedLine>> lines = listPlaced(*world, filter);
     if (!lines)
-        return tl::unexpected(lines.error());
+        return Failure(lines.error());
     if (lines->empty())
         console.note(fmt::format("limen: no such object is in {}", world->path.string()));
     else if (!arguments.json)
@@ -75,10 +75,10 @@ struct WorldShowArguments {
 Result<Exit> runWorldShow(const WorldShowArguments& arguments, const Console& console) {
     const Result<PlacedWorld> world = openPlacedWorld(arguments.dat);
     if (!world)
-        return tl::unexpected(world.error());
+        return Failure(world.error());
     const Result<nlohmann::ordered_json> object = describePlaced(*world, arguments.id);
     if (!object)
-        return tl::unexpected(object.error());
+        return Failure(object.error());
     console.data(object->dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     return Exit::Done;
 }

@@ -65,7 +65,7 @@ Result<std::vector<PlacedLine>> linesOf(const placements::WorldDb& database, con
     const std::size_t limit = filter.limit == 0 || filter.block ? kAll : filter.limit;
     const Result<std::vector<placements::Found>> found = database.search(filter.name, type, limit);
     if (!found)
-        return tl::unexpected(found.error());
+        return Failure(found.error());
     std::vector<PlacedLine> lines;
     for (const placements::Found& one : *found)
         if (!filter.block || *filter.block == landblockOf(one.placement.spot))
@@ -168,7 +168,7 @@ Json jsonOf(const Template& of) {
     return object;
 }
 
-tl::unexpected<Error> absent(const std::string& id) {
+Failure absent(const std::string& id) {
     return fail(ErrorCode::NotFound, id,
                 "no object and no template has this id; list the objects with limen world list");
 }
@@ -177,7 +177,7 @@ Result<Json> describeTemplate(const placements::WorldDb& database, std::uint32_t
                               const std::string& id) {
     const Result<std::optional<Template>> of = database.findTemplate(number);
     if (!of)
-        return tl::unexpected(of.error());
+        return Failure(of.error());
     if (!*of)
         return absent(id);
     return jsonOf(**of);
@@ -193,7 +193,7 @@ Result<Json> describe(const placements::WorldDb& database, const std::string& id
         return describeTemplate(database, *number, id);
     const Result<std::optional<placements::Placement>> placement = database.findPlacement(*number);
     if (!placement)
-        return tl::unexpected(placement.error());
+        return Failure(placement.error());
     if (!*placement)
         return absent(id);
     const placements::Placement& found = **placement;

@@ -12,10 +12,10 @@ Result<PlacedWorld> openWorldFile(const fs::path& path) {
     constexpr std::size_t kMostBytes = std::size_t{1} << 30;
     const Result<std::string> text = output::readTextFile(path, kMostBytes);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     Result<world::WorldFile> file = world::parseWorldFile(*text, path.string());
     if (!file)
-        return tl::unexpected(file.error());
+        return Failure(file.error());
     PlacedWorld world;
     world.file = std::make_unique<world::WorldFile>(std::move(*file));
     world.path = path;
@@ -25,7 +25,7 @@ Result<PlacedWorld> openWorldFile(const fs::path& path) {
 Result<PlacedWorld> openDatabase(const fs::path& path) {
     Result<placements::WorldDb> database = placements::WorldDb::open(path);
     if (!database)
-        return tl::unexpected(database.error());
+        return Failure(database.error());
     PlacedWorld world;
     world.database = std::make_unique<placements::WorldDb>(std::move(*database));
     world.path = path;
@@ -44,7 +44,7 @@ Result<PlacedWorld> openPlacedWorld(const std::string& path) {
                          !fs::exists(directory / world::kWorldFileName, ignored))) {
         Result<engine::WorldSource> opened = engine::openWorldSource(path, engine::PlaceSearch::Skip);
         if (!opened)
-            return tl::unexpected(opened.error());
+            return Failure(opened.error());
         source = std::make_unique<engine::WorldSource>(std::move(*opened));
         directory = source->archive.directory();
     }

@@ -34,7 +34,7 @@ Result<WorldStats> statsOf(const placements::WorldDb& database) {
     const Result<placements::Origin> origin = database.origin();
     const Result<placements::Content> content = database.readAll();
     if (!origin || !content)
-        return tl::unexpected(!origin ? origin.error() : content.error());
+        return Failure(!origin ? origin.error() : content.error());
     WorldStats stats{
         origin->source, origin->time, content->landblocks.size(), content->templates.size(), 0, {}};
     for (const auto& [id, landblock] : content->landblocks) {
@@ -95,7 +95,7 @@ std::string statsJson(const WorldStats& stats) {
 Result<engine::PlacedHealth> healthOf(const std::string& dat, const Console& console) {
     const Result<engine::WorldSource> source = openWorld(console, dat, engine::PlaceSearch::Skip);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     if (source->placed == nullptr)
         return fail(ErrorCode::NotFound, source->archive.directory().string(),
                     "no world.db is beside the dat files; write one with limen world import");
@@ -112,15 +112,15 @@ Result<engine::PlacedHealth> healthOf(const std::string& dat, const Console& con
 Result<Exit> runWorldStats(const WorldStatsArguments& arguments, const Console& console) {
     const Result<PlacedWorld> world = openPlacedWorld(arguments.dat);
     if (!world)
-        return tl::unexpected(world.error());
+        return Failure(world.error());
     Result<WorldStats> stats = world->database != nullptr ? statsOf(*world->database) : statsOf(*world);
     if (!stats)
-        return tl::unexpected(stats.error());
+        return Failure(stats.error());
     if (arguments.resolve) {
         Result<engine::PlacedHealth> health = healthOf(arguments.dat, console);
         if (!health)
             return console.interrupt().isRequested() ? Result<Exit>(Exit::Interrupted)
-                                                     : tl::unexpected(health.error());
+                                                     : Failure(health.error());
         stats->health = std::move(*health);
     }
     console.data(arguments.json ? statsJson(*stats) : statsTable(*stats));

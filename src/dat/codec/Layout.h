@@ -23,7 +23,7 @@ inline void ownId(ByteWriter& io, RecordId, const RecordId& id) {
 template <class Record, class Read>
 [[nodiscard]] Result<Record> decodeWith(RecordId id, ByteView payload, Read&& read) {
     ByteReader io(payload);
-    Result<Record> out{tl::in_place};
+    Result<Record> out{std::in_place};
     read(io, *out);
     if (!io.failed() && io.remaining() != 0)
         io.fail(fmt::format("the record ends here by its layout, but {} bytes follow", io.remaining()));

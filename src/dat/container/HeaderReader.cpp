@@ -42,7 +42,7 @@ bool isOlderDat(ByteView start) {
     return false;
 }
 
-tl::unexpected<Error> notADat(ByteView file, const std::string& name) {
+Failure notADat(ByteView file, const std::string& name) {
     const ByteView start = file.first(std::min(file.size(), kHeaderBytes));
     if (file.empty())
         return fail(ErrorCode::Malformed, name, "the file is empty, not a dat file; copy it again");

@@ -126,7 +126,7 @@ std::string Tree::load(std::uint32_t offset, const Range& range, Node& node) con
     return {};
 }
 
-tl::unexpected<Error> Tree::damaged(std::uint32_t offset, std::string reason) const {
+Failure Tree::damaged(std::uint32_t offset, std::string reason) const {
     return fail(ErrorCode::Malformed, fmt::format("{}, index node at 0x{:X}", name_, offset),
                 std::move(reason));
 }

@@ -56,7 +56,7 @@ private:
     /// Makes the checks that depend on the node's bytes alone.
     [[nodiscard]] std::string inspect(const Node& node) const;
     [[nodiscard]] bool isInOnePiece(const Node& node) const;
-    [[nodiscard]] tl::unexpected<Error> damaged(std::uint32_t offset, std::string reason) const;
+    [[nodiscard]] Failure damaged(std::uint32_t offset, std::string reason) const;
     /// Adds a visited node to the shape.
     void note(const Node& node, int depth, IndexShape& shape) const;
     [[nodiscard]] Result<void> traverse(std::uint32_t offset, const Range& range, int depth,

@@ -3,6 +3,7 @@
 #include "dat/records/Primitives.h"
 
 // PaletteSet (0x0F), ClothingTable (0x10): docs/formats/textures.md.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 /// Palettes of one thing in several shades.
@@ -46,3 +47,4 @@ struct ClothingTable {
 };
 
 } // namespace limen::dat
+LIMEN_API_END

@@ -5,6 +5,7 @@
 #include <array>
 
 // EnvCell, LandBlock, LandBlockInfo: docs/formats/cells.md, docs/formats/landscape.md.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 struct CellPortal {
@@ -64,3 +65,4 @@ struct LandBlockInfo {
 };
 
 } // namespace limen::dat
+LIMEN_API_END

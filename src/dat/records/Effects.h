@@ -3,6 +3,7 @@
 #include "dat/records/Models.h"
 
 // ParticleEmitter (0x32), PhysicsScript (0x33), PhysicsScriptTable (0x34): docs/formats/effects_anim.md.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 /// The motion of an emitter's particles; docs/formats/effects_anim.md has the formulas.
@@ -75,3 +76,4 @@ struct PhysicsScriptTable {
 };
 
 } // namespace limen::dat
+LIMEN_API_END

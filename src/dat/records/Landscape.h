@@ -6,6 +6,7 @@
 #include <optional>
 
 // Region (0x13) and Scene (0x12): docs/formats/landscape.md, docs/formats/sky_weather.md.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 /// Strings keep their bytes (Windows-1252).
@@ -154,3 +155,4 @@ struct Scene {
 };
 
 } // namespace limen::dat
+LIMEN_API_END

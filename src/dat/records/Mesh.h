@@ -7,6 +7,7 @@
 
 // Vertices, polygons and BSP trees (docs/formats/geometry.md). Short lists are SmallVecs, most of which need no
 // allocation, so a mesh decodes with a few allocations.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 /// One vertex; `uvs` are indexed by the polygons that use it.
@@ -86,3 +87,4 @@ struct BspTree {
 };
 
 } // namespace limen::dat
+LIMEN_API_END

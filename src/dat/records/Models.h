@@ -5,6 +5,7 @@
 #include <array>
 
 // GfxObj (0x01), Setup (0x02), Environment (0x0D): docs/formats/geometry.md.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 struct GfxObj {
@@ -103,3 +104,4 @@ struct DegradeInfo {
 };
 
 } // namespace limen::dat
+LIMEN_API_END

@@ -3,6 +3,7 @@
 #include "dat/records/Models.h"
 
 // Animation (0x03), MotionTable (0x09): docs/formats/effects_anim.md.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 struct Animation {
@@ -51,3 +52,4 @@ struct MotionTable {
 }
 
 } // namespace limen::dat
+LIMEN_API_END

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/Api.h"
 #include "geometry/Vec.h"
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 
 // Values shared by several records, as stored (docs/formats/primitives.md). Floats keep their bits, NaNs included,
 // so that a record encodes to the same bytes.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 /// Position and orientation: p_parent = origin + rotate(orientation, p).
@@ -54,3 +56,4 @@ struct PackedHashTable {
 };
 
 } // namespace limen::dat
+LIMEN_API_END

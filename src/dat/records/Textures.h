@@ -3,6 +3,7 @@
 #include "dat/records/Primitives.h"
 
 // Surface (0x08), SurfaceTexture (0x05), RenderSurface (0x06), Palette (0x04): docs/formats/textures.md.
+LIMEN_API_BEGIN
 namespace limen::dat {
 
 struct Palette {
@@ -64,3 +65,4 @@ struct Surface {
 };
 
 } // namespace limen::dat
+LIMEN_API_END

@@ -28,7 +28,7 @@ public:
                 continue;
             Result<std::vector<dat::Entry>> entries = entriesOf(*file);
             if (!entries)
-                return tl::unexpected(entries.error());
+                return Failure(entries.error());
             total_ += entries->size();
             lists.emplace_back(file, std::move(*entries));
         }
@@ -50,7 +50,7 @@ private:
             },
             nullptr, &sum.shape);
         if (!walked)
-            return tl::unexpected(walked.error());
+            return Failure(walked.error());
         sum.isThere = true;
         sum.entries = entries.size();
         for (const dat::Entry& entry : entries)
@@ -119,7 +119,7 @@ private:
     void take(const dat::File& file, const dat::Entry& entry, Half& half) {
         const Result<dat::ByteView> payload = file.read(entry, scratch_);
         const Result<Record> record =
-            payload ? dat::decode<Record>(entry.id, *payload) : tl::unexpected(payload.error());
+            payload ? dat::decode<Record>(entry.id, *payload) : Failure(payload.error());
         if (record)
             half.add(*record);
         else
@@ -152,7 +152,7 @@ Result<Census> takeCensus(const dat::Archive& archive, const CensusProgress& pro
     Census census;
     const Result<void> done = Taker(archive, census, progress).run();
     if (!done)
-        return tl::unexpected(done.error());
+        return Failure(done.error());
     return census;
 }
 

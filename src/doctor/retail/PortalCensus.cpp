@@ -131,10 +131,9 @@ void PortalCensus::countClipMap(const dat::Surface& surface) {
     if (const std::optional<Tally> blending = clipBlending(surface.type))
         ++census_[*blending];
     const Result<dat::SurfaceTexture> texture = archive_.load<dat::SurfaceTexture>(surface.texture);
-    const Result<dat::RecordId> image =
-        texture ? archive_.imageOf(*texture) : tl::unexpected(texture.error());
+    const Result<dat::RecordId> image = texture ? archive_.imageOf(*texture) : Failure(texture.error());
     const Result<dat::RenderSurface> picture =
-        image ? archive_.load<dat::RenderSurface>(*image) : tl::unexpected(image.error());
+        image ? archive_.load<dat::RenderSurface>(*image) : Failure(image.error());
     if (!picture)
         return;
     ++census_[isPalettised(picture->format) ? Tally::PalettisedClipMaps : Tally::OtherClipMaps];

@@ -65,7 +65,7 @@ std::string lineText(const Line& line) {
 Result<SuiteResult> runSuite(const dat::Archive& archive, const CensusProgress& progress) {
     const Result<Census> census = takeCensus(archive, progress);
     if (!census)
-        return tl::unexpected(census.error());
+        return Failure(census.error());
     SuiteResult result;
     const auto identity = [&](const dat::File& file) {
         return identityOf(file, census->files[static_cast<std::size_t>(file.role())].entries);

@@ -144,7 +144,7 @@ Result<MapPainter> MapPainter::begin(const dat::Archive& archive, int scale) {
         return true;
     });
     if (!read)
-        return tl::unexpected(read.error());
+        return Failure(read.error());
     LandscapeMap map;
     map.scale = scale;
     std::vector<Entries> entries;
@@ -167,7 +167,7 @@ Result<MapPainter> MapPainter::begin(const dat::Archive& archive, int scale) {
     if (hasGround && archive.contains<dat::Region>(dat::kRegionId)) {
         Result<dat::Region> loaded = archive.load<dat::Region>(dat::kRegionId);
         if (!loaded)
-            return tl::unexpected(loaded.error());
+            return Failure(loaded.error());
         region = std::move(*loaded);
     }
     return MapPainter(archive, std::move(map), std::move(entries), std::move(region));
@@ -289,7 +289,7 @@ Result<LandscapeMap> paintMap(const dat::Archive& archive, int scale,
     constexpr std::size_t kStep = 256; ///< blocks
     Result<MapPainter> painter = MapPainter::begin(archive, scale);
     if (!painter)
-        return tl::unexpected(painter.error());
+        return Failure(painter.error());
     while (!painter->isDone()) {
         painter->paint(kStep);
         if (progress)

@@ -54,12 +54,12 @@ Result<LargePicture> LargePicture::begin(Session& session, FrameRequest request,
     const PixelSize size = request.size;
     if (Result<void> fits = checkLargePicture(size, options.supersample, session.capabilities().maxViewport);
         !fits)
-        return tl::unexpected(fits.error());
+        return Failure(fits.error());
     request.size = {size.width * options.supersample, size.height * options.supersample};
     Result<gpu::RenderTarget> target =
         session.makeTile(tileSideOf(options, size.width), tileSideOf(options, size.height));
     if (!target)
-        return tl::unexpected(target.error());
+        return Failure(target.error());
     return LargePicture(std::move(*target), std::move(request), size, options.supersample);
 }
 
@@ -101,10 +101,10 @@ Result<std::vector<std::uint8_t>> drawLargePicture(Session& session, const Frame
                                                    const LargePictureOptions& options) {
     Result<LargePicture> picture = LargePicture::begin(session, request, options);
     if (!picture)
-        return tl::unexpected(picture.error());
+        return Failure(picture.error());
     while (!picture->isDone())
         if (Result<void> drawn = picture->drawNext(session); !drawn)
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
     return picture->takeRgb();
 }
 

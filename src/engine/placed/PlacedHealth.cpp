@@ -50,7 +50,7 @@ Result<PlacedHealth> placedHealth(const PlacedObjects& placed, const dat::Archiv
                                   const HealthProgress& progress) {
     const Result<std::vector<std::uint32_t>> ids = placed.database().landblocks();
     if (!ids)
-        return tl::unexpected(ids.error());
+        return Failure(ids.error());
     PlacedHealth health;
     for (std::size_t i = 0; i < ids->size(); ++i) {
         if (progress && !progress(i, ids->size()))
@@ -60,7 +60,7 @@ Result<PlacedHealth> placedHealth(const PlacedObjects& placed, const dat::Archiv
                                     static_cast<int>((*ids)[i] & 0xFF)};
         const Result<std::vector<world::PlacedEntry>> entries = placed.around(archive, block, {.radius = 0});
         if (!entries)
-            return tl::unexpected(entries.error());
+            return Failure(entries.error());
         std::vector<world::PlacedEntry> doors;
         for (const world::PlacedEntry& entry : *entries) {
             compareEntry(entry, archive, health);
@@ -72,7 +72,7 @@ Result<PlacedHealth> placedHealth(const PlacedObjects& placed, const dat::Archiv
         if (doors.empty())
             continue;
         if (Result<void> hung = hangDoors(archive, block, std::move(doors), health); !hung)
-            return tl::unexpected(hung.error());
+            return Failure(hung.error());
     }
     return health;
 }

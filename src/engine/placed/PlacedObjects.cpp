@@ -142,7 +142,7 @@ const Template* PlacedObjects::find(std::uint32_t id) const {
         if (of)
             entry->second = std::move(*of);
         else
-            fault_ = tl::unexpected(of.error());
+            fault_ = Failure(of.error());
     }
     return entry->second ? &*entry->second : nullptr;
 }
@@ -165,7 +165,7 @@ std::optional<world::Place> PlacedObjects::viewOfPlacement(const placements::Pla
 Result<std::optional<world::Place>> PlacedObjects::viewOf(std::uint32_t guid) const {
     const Result<std::optional<placements::Placement>> found = database_.findPlacement(guid);
     if (!found)
-        return tl::unexpected(found.error());
+        return Failure(found.error());
     const std::lock_guard guard(lock_);
     std::optional<world::Place> view = *found ? viewOfPlacement(**found) : std::nullopt;
     return fault_.map([&] { return std::move(view); });
@@ -178,7 +178,7 @@ Result<std::vector<FoundObject>> PlacedObjects::search(const std::string& name, 
         return std::vector<FoundObject>();
     const Result<std::vector<placements::Found>> found = database_.search(name, std::nullopt, kMostCompared);
     if (!found)
-        return tl::unexpected(found.error());
+        return Failure(found.error());
     std::vector<std::pair<double, std::size_t>> nearest; // metres along the ground
     for (std::size_t i = 0; i < found->size(); ++i)
         nearest.emplace_back(glm::distance(Vec2(globalOf((*found)[i].placement.spot)), Vec2(from)), i);
@@ -212,7 +212,7 @@ Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& nam
     Result<std::vector<placements::Found>> found =
         database_.search(nameWithoutGuid(name), std::nullopt, kMostFound);
     if (!found)
-        return tl::unexpected(found.error());
+        return Failure(found.error());
     // The object itself, then those whose whole name is the text, then those whose name contains it.
     const auto rank = [&](const placements::Found& one) {
         return fmt::format("{} {:08X}", one.name, one.placement.guid) == name ? 0
@@ -235,7 +235,7 @@ Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::P
     const auto number = static_cast<std::uint32_t>(block.x) << 8 | static_cast<std::uint32_t>(block.y);
     const Result<placements::Landblock> landblock = database_.landblock(number);
     if (!landblock)
-        return tl::unexpected(landblock.error());
+        return Failure(landblock.error());
     const std::lock_guard guard(lock_);
     const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
     for (const placements::Standing& standing : standingIn(*landblock, findTemplate))
@@ -251,7 +251,7 @@ Result<std::vector<world::PlacedEntry>> PlacedObjects::around(const dat::Archive
     const int radius = world::isDungeon(archive, centre) ? 0 : std::clamp(options.radius, 0, 255);
     for (const dat::BlockCoord block : world::blocksAround(centre, radius))
         if (Result<void> added = addBlock(block, entries); !added)
-            return tl::unexpected(added.error());
+            return Failure(added.error());
     return entries;
 }
 

@@ -86,7 +86,7 @@ Result<std::vector<BlockFacts>> readBlockIndex(const dat::Archive& archive) {
         return true;
     });
     if (!read)
-        return tl::unexpected(read.error());
+        return Failure(read.error());
     for (const std::size_t block : withInfo)
         readBuildings(archive, blocks[block]);
     return blocks;

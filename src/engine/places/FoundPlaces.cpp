@@ -236,7 +236,7 @@ private:
 Result<world::WorldFile> findPlaces(const dat::Archive& archive, const SearchProgress& progress) {
     Result<std::vector<BlockFacts>> blocks = readBlockIndex(archive);
     if (!blocks)
-        return tl::unexpected(blocks.error());
+        return Failure(blocks.error());
     std::optional<world::WorldFile> found = Search(archive, std::move(*blocks), progress).run();
     if (!found)
         return fail(ErrorCode::Unreadable, archive.directory().string(),

@@ -104,12 +104,12 @@ Result<StreamedResidency::Coming> StreamedResidency::read(const Session& session
                                                           const gpu::SceneState& before) {
     Result<std::unique_ptr<PartPlanner>> part = session.read(target, threadsToReadOn());
     if (!part)
-        return tl::unexpected(part.error());
+        return Failure(part.error());
     frame::SceneUpload scene = frame::buildScene((*part)->part->scene);
     Result<gpu::StagedScene> staged =
         gpu::stageScene(std::move(scene), options, session.capabilities(), before);
     if (!staged)
-        return tl::unexpected(staged.error());
+        return Failure(staged.error());
     return Coming{std::move(*part), std::make_unique<gpu::StagedScene>(std::move(*staged)), {}};
 }
 

@@ -106,7 +106,7 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     }
     Result<Buffer> ring = Buffer::createMapped("frame ring", slotSize * kFramesInFlight);
     if (!ring)
-        return tl::unexpected(ring.error());
+        return Failure(ring.error());
     for (std::size_t slot = 0; slot < kFramesInFlight; ++slot) {
         waitForFence(slot, false);
         // Every slot has a fence from the start, so that the first frames make the same calls as later ones.

@@ -71,7 +71,7 @@ Result<void> makeFramebuffer(Framebuffer& out, const char* label, std::span<cons
                              std::span<const GLenum> drawBuffers) {
     Result<Framebuffer> framebuffer = Framebuffer::create(label, attachments, drawBuffers);
     if (!framebuffer)
-        return tl::unexpected(framebuffer.error());
+        return Failure(framebuffer.error());
     out = std::move(*framebuffer);
     return {};
 }
@@ -128,7 +128,7 @@ GlDevice::~GlDevice() {
 Result<std::unique_ptr<GlDevice>> GlDevice::create() {
     Result<Capabilities> capabilities = queryCapabilities();
     if (!capabilities)
-        return tl::unexpected(capabilities.error());
+        return Failure(capabilities.error());
     return std::unique_ptr<GlDevice>(new GlDevice(std::move(*capabilities)));
 }
 
@@ -222,22 +222,22 @@ Result<ProgramHandle> GlDevice::createProgram(const ProgramSource& source) {
     const Result<std::string> vertex = shaderText(source.vertexShader, source);
     const Result<std::string> fragment = shaderText(source.fragmentShader, source);
     if (!vertex || !fragment)
-        return tl::unexpected(vertex ? fragment.error() : vertex.error());
+        return Failure(vertex ? fragment.error() : vertex.error());
     Result<Program> program =
         Program::link(source.label, {{GL_VERTEX_SHADER, source.vertexShader, *vertex},
                                      {GL_FRAGMENT_SHADER, source.fragmentShader, *fragment}});
     if (!program)
-        return tl::unexpected(program.error());
+        return Failure(program.error());
     return static_cast<ProgramHandle>(placeNamed(programs_, std::move(*program)));
 }
 
 Result<ProgramHandle> GlDevice::createComputeProgram(const ProgramSource& source) {
     const Result<std::string> text = shaderText(source.computeShader, source);
     if (!text)
-        return tl::unexpected(text.error());
+        return Failure(text.error());
     Result<Program> program = Program::link(source.label, {{GL_COMPUTE_SHADER, source.computeShader, *text}});
     if (!program)
-        return tl::unexpected(program.error());
+        return Failure(program.error());
     for (const UniformValue& uniform : source.uniforms)
         glProgramUniform1ui(program->id(), static_cast<GLint>(uniform.location), uniform.value);
     return static_cast<ProgramHandle>(placeNamed(programs_, std::move(*program)));
@@ -311,7 +311,7 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
                                 capabilities_.maxTextureSize));
     }
     if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     auto target = std::make_unique<Target>();
     target->width = width;
     target->height = height;
@@ -319,9 +319,9 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
     if (state_.setViewport({0, 0, width, height})) // its first frame makes the same calls as later ones
         glViewport(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
     if (Result<void> checked = checkMemory(fmt::format("a picture of {}x{}", width, height)); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     if (Result<void> made = makePasses(*target); !made)
-        return tl::unexpected(made.error());
+        return Failure(made.error());
     const auto isFree = [](const std::unique_ptr<Target>& other) { return other == nullptr; };
     return static_cast<TargetHandle>(place(targets_, std::move(target), isFree));
 }

@@ -58,7 +58,7 @@ std::optional<std::string> attachStage(GLuint program, const ShaderStage& stage)
 
 Result<Buffer> kept(Buffer buffer, std::string_view name) {
     if (Result<void> checked = checkMemory(fmt::format("'{}', {} bytes", name, buffer.size())); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     return buffer;
 }
 
@@ -191,7 +191,7 @@ Result<Texture> Texture::createArray(std::string_view name, std::uint32_t width,
     Texture texture(id);
     const std::string what = fmt::format("'{}', {} layers of {} x {} texels", name, layers, width, height);
     if (Result<void> checked = checkMemory(what); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     return texture;
 }
 

@@ -102,7 +102,7 @@ Result<ProgramHandle> NullDevice::createProgram(const ProgramSource& source) {
         if (name.empty())
             continue;
         if (const Result<std::string> text = shaderText(name, source); !text)
-            return tl::unexpected(text.error());
+            return Failure(text.error());
     }
     ++objects_.programs;
     programs_.push_back(source);
@@ -121,7 +121,7 @@ Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t
                     "a picture has at least one pixel per side and at most the device's limit");
     }
     if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     static_cast<void>(state_.setViewport({0, 0, width, height}));
     ++objects_.targets;
     return static_cast<TargetHandle>(targets_++);

@@ -19,7 +19,7 @@ Result<Program> upscaleProgram() {
     const Result<std::string> vertex = shaderText(source.vertexShader, source);
     const Result<std::string> fragment = shaderText(source.fragmentShader, source);
     if (!vertex || !fragment)
-        return tl::unexpected(vertex ? fragment.error() : vertex.error());
+        return Failure(vertex ? fragment.error() : vertex.error());
     return Program::link(source.label, {{GL_VERTEX_SHADER, source.vertexShader, *vertex},
                                         {GL_FRAGMENT_SHADER, source.fragmentShader, *fragment}});
 }

@@ -144,7 +144,7 @@ Result<Programs> Programs::create(Device& device, Drawing drawing, const SceneBi
         std::size_t bytes = 1;
         const Result<bool> next = programs.buildNext(bytes);
         if (!next)
-            return tl::unexpected(next.error());
+            return Failure(next.error());
         isBuilt = *next;
     }
     return programs;
@@ -163,7 +163,7 @@ Result<bool> Programs::buildNext(std::size_t& bytes) {
             return false;
         bytes = 0;
         if (Result<void> made = prepare(program, variant); !made)
-            return tl::unexpected(made.error());
+            return Failure(made.error());
     }
     return true;
 }
@@ -192,7 +192,7 @@ Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
     source.defines.insert(source.defines.end(), defines_.begin(), defines_.end());
     Result<ProgramHandle> made = device_->createProgram(source);
     if (!made)
-        return tl::unexpected(made.error());
+        return Failure(made.error());
     handle = *made;
     return {};
 }

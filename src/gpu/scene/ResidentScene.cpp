@@ -100,7 +100,7 @@ Result<bool> ResidentScene::upload(Array& array, std::size_t& bytes) {
     if (array.buffer == BufferHandle::Invalid) {
         const Result<SizedBuffer> taken = spare_.take(array.label, size);
         if (!taken)
-            return tl::unexpected(taken.error());
+            return Failure(taken.error());
         array.buffer = taken->handle;
         owned_.push_back(*taken);
     }
@@ -129,7 +129,7 @@ Result<void> ResidentScene::finish(const Array& array) {
         return {};
     const Result<TextureHandle> texels = device_.createTexels(array.label, array.buffer);
     if (!texels)
-        return tl::unexpected(texels.error());
+        return Failure(texels.error());
     texels_.push_back(*texels);
     bound_[array.unit - layout::kUnitVertices] = *texels;
     if (array.unit == layout::kUnitVertices)

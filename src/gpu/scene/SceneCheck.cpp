@@ -8,7 +8,7 @@ namespace {
 using frame::SceneUpload;
 namespace layout = frame::gpu;
 
-tl::unexpected<Error> broken(const char* array, std::size_t entry, std::string what) {
+Failure broken(const char* array, std::size_t entry, std::string what) {
     return fail(ErrorCode::BadArgument, fmt::format("{} {} of the scene", array, entry), std::move(what));
 }
 

@@ -54,11 +54,11 @@ void include(const TextureBinding& before, TextureBinding& binding) {
 Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& options,
                                const Capabilities& capabilities, const SceneState& before) {
     if (Result<void> checked = checkScene(scene); !checked)
-        return tl::unexpected(checked.error());
+        return Failure(checked.error());
     Result<StagedTextures> textures =
         stageTextures(scene.textures, options.textures, capabilities, before.textures);
     if (!textures)
-        return tl::unexpected(textures.error());
+        return Failure(textures.error());
     StagedScene staged;
     staged.bindings = bindingsOf(scene, *textures);
     const DriverChoices choices = driverChoices(options, capabilities);

@@ -46,7 +46,7 @@ Result<void> SpareBuffers::addTwin(const SizedBuffer& of) {
     static constexpr std::array<std::byte, 1 << 16> kNothing{};
     const Result<BufferHandle> twin = device_.reserveBuffer("spare", of.bytes);
     if (!twin)
-        return tl::unexpected(twin.error());
+        return Failure(twin.error());
     for (std::size_t at = 0; at < of.bytes; at += kNothing.size())
         device_.writeBuffer(*twin, at, std::span(kNothing).first(std::min(kNothing.size(), of.bytes - at)));
     giveBack({*twin, of.bytes});

@@ -138,7 +138,7 @@ Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictu
     if (out.bindless)
         stageHandles(pictures, filter, out);
     else if (Result<void> staged = stagePages(pictures, options, capabilities, filter, before, out); !staged)
-        return tl::unexpected(staged.error());
+        return Failure(staged.error());
     for (StagedTexture& texture : out.textures) {
         texture.isShared = isAmong(before, texture.content);
         texture.layers.resize(texture.isShared ? 0 : texture.content.keys.size());

@@ -30,11 +30,11 @@ Result<TextureStore> TextureStore::create(Device& device, std::span<const frame:
                                           const TextureStoreOptions& options) {
     Result<StagedTextures> staged = stageTextures(textures, options, device.capabilities(), {});
     if (!staged)
-        return tl::unexpected(staged.error());
+        return Failure(staged.error());
     TextureStore store(device, std::move(*staged), nullptr);
     std::size_t bytes = std::numeric_limits<std::size_t>::max();
     if (const Result<bool> filled = store.advance(bytes); !filled)
-        return tl::unexpected(filled.error());
+        return Failure(filled.error());
     return store;
 }
 
@@ -107,7 +107,7 @@ Result<void> TextureStore::begin(const StagedTexture& staged) {
     }
     const Result<TextureHandle> made = device_->createTexture(staged.label, staged.content.shape);
     if (!made)
-        return tl::unexpected(made.error());
+        return Failure(made.error());
     textures_.push_back(std::make_shared<ResidentTexture>(*device_, *made, staged.content));
     return {};
 }
@@ -141,7 +141,7 @@ Result<bool> TextureStore::advance(std::size_t& bytes) {
             return false;
         if (!isBegun_) {
             if (Result<void> begun = begin(staged_.textures[textures_.size()]); !begun)
-                return tl::unexpected(begun.error());
+                return Failure(begun.error());
         }
         StagedTexture& staged = staged_.textures[textures_.size() - 1];
         if (!write(staged, bytes))

@@ -25,7 +25,7 @@ CheckedView describedView(const check::View& view, std::uint64_t number, const s
 Result<ReportPicture> encoded(const char* caption, const Picture& picture, PictureFormat format) {
     Result<std::vector<std::byte>> bytes = encodePicture(picture, format);
     if (!bytes)
-        return tl::unexpected(bytes.error());
+        return Failure(bytes.error());
     return ReportPicture{caption, std::string(mediaTypeOf(format)), std::move(*bytes), picture.width,
                          picture.height};
 }
@@ -45,7 +45,7 @@ Result<CheckRecorder::Kept> CheckRecorder::keep(const check::FindingPicture& vie
           {"Difference: the verdict on each pixel", &panels.verdicts}}) {
         Result<ReportPicture> bytes = encoded(caption, *picture, PictureFormat::Png);
         if (!bytes)
-            return tl::unexpected(bytes.error());
+            return Failure(bytes.error());
         kept.data.pictures.push_back(std::move(*bytes));
     }
     return kept;
@@ -56,7 +56,7 @@ Result<void> CheckRecorder::addFinding(const check::FindingPicture& view) {
         return {};
     Result<Kept> kept = keep(view);
     if (!kept)
-        return tl::unexpected(kept.error());
+        return Failure(kept.error());
     findings_.push_back(std::move(*kept));
     return {};
 }
@@ -68,7 +68,7 @@ Result<void> CheckRecorder::addSample(const check::FindingPicture& view) {
         return {};
     Result<Kept> kept = keep(view);
     if (!kept)
-        return tl::unexpected(kept.error());
+        return Failure(kept.error());
     samples_.push_back(std::move(*kept));
     return {};
 }
@@ -87,7 +87,7 @@ Result<void> CheckRecorder::addLitPictures(engine::Session& session) {
             Result<ReportPicture> picture = encoded(
                 "Drawn: as the window shows it", shrunkToFit(lit, kLitWidth, kLitWidth), PictureFormat::Webp);
             if (!picture)
-                return tl::unexpected(picture.error());
+                return Failure(picture.error());
             kept.data.pictures.insert(kept.data.pictures.begin(), std::move(*picture));
         }
     return {};

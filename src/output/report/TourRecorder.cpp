@@ -50,7 +50,7 @@ Result<void> TourRecorder::add(const engine::Session& session, const engine::Fra
     const Picture small = shrunkToFit(picture, kPictureWidth, kPictureWidth);
     Result<std::vector<std::byte>> bytes = encodeWebp(small, kStripQuality);
     if (!bytes)
-        return tl::unexpected(bytes.error());
+        return Failure(bytes.error());
     report_.pictures.push_back({fmt::format("Frame {}", frame), std::string(mediaTypeOf(PictureFormat::Webp)),
                                 std::move(*bytes), small.width, small.height});
     report_.pictureFrames.push_back(report_.numbers.size() - 1);

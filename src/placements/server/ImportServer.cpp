@@ -27,7 +27,7 @@ using Statement = std::unique_ptr<MYSQL_STMT, StatementClosed>;
 constexpr unsigned kConnectSeconds = 10, kReadSeconds = 120;
 
 /// The fault of a query, as the server states it, with a next step.
-tl::unexpected<Error> refused(const std::string& where, unsigned number, const char* reason) {
+Failure refused(const std::string& where, unsigned number, const char* reason) {
     constexpr unsigned kNoTable = 1146, kNoColumn = 1054;
     const bool isSchema = number == kNoTable || number == kNoColumn;
     return fail(isSchema ? ErrorCode::Malformed : ErrorCode::Unreadable, where,
@@ -231,7 +231,7 @@ Result<std::size_t> countRows(MYSQL* connection, const std::string& where) {
         if (Result<void> done =
                 run(connection, fmt::format("SELECT COUNT(*) FROM `{}`", table.name).c_str(), where);
             !done)
-            return tl::unexpected(done.error());
+            return Failure(done.error());
         const std::unique_ptr<MYSQL_RES, ResultFreed> result(mysql_store_result(connection));
         const MYSQL_ROW row = result != nullptr ? mysql_fetch_row(result.get()) : nullptr;
         if (row != nullptr && row[0] != nullptr)
@@ -246,11 +246,11 @@ Result<Content> readTables(MYSQL* connection, const std::string& where, const Im
     for (const Table& table : tables()) {
         readers.emplace_back(connection, table, where);
         if (Result<void> prepared = readers.back().prepare(); !prepared)
-            return tl::unexpected(prepared.error());
+            return Failure(prepared.error());
     }
     const Result<std::size_t> total = countRows(connection, where);
     if (!total)
-        return tl::unexpected(total.error());
+        return Failure(total.error());
     constexpr std::size_t kRowsOfAStep = 4096;
     ContentBuilder builder;
     std::size_t done = 0;
@@ -264,7 +264,7 @@ Result<Content> readTables(MYSQL* connection, const std::string& where, const Im
             return added;
         });
         if (!read)
-            return tl::unexpected(read.error());
+            return Failure(read.error());
     }
     return builder.finish();
 }
@@ -274,14 +274,14 @@ Result<Content> readTables(MYSQL* connection, const std::string& where, const Im
 Result<Content> importServer(const ServerAccess& access, const ImportProgress& progress) {
     const Result<ServerUrl> url = parseServerUrl(access.url);
     if (!url)
-        return tl::unexpected(url.error());
+        return Failure(url.error());
     const std::string where = printable(access.url);
     const Result<Connection> connection = connect(access, *url, where);
     if (!connection)
-        return tl::unexpected(connection.error());
+        return Failure(connection.error());
     MYSQL* const c = connection->get();
     if (Result<void> begun = run(c, "START TRANSACTION WITH CONSISTENT SNAPSHOT, READ ONLY", where); !begun)
-        return tl::unexpected(begun.error());
+        return Failure(begun.error());
     Result<Content> content = readTables(c, where, progress);
     if (content && content->templates.empty() && content->landblocks.empty())
         return fail(ErrorCode::NotFound, where, "the database has no placed objects and no templates");

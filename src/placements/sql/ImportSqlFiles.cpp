@@ -38,7 +38,7 @@ Result<Content> importSqlFiles(const std::vector<std::filesystem::path>& paths,
                                const ImportProgress& progress) {
     const Result<std::vector<SqlFile>> files = findSqlFiles(paths);
     if (!files)
-        return tl::unexpected(files.error());
+        return Failure(files.error());
     CountedBytes counter(progress, totalSize(*files));
     ContentBuilder builder;
     const Result<void> read = readSqlFiles(paths, *files, [&](const SqlFile& file, const ReadBytes& bytes) {
@@ -46,7 +46,7 @@ Result<Content> importSqlFiles(const std::vector<std::filesystem::path>& paths,
         return executeSql(tokens, builder);
     });
     if (!read)
-        return tl::unexpected(read.error());
+        return Failure(read.error());
     Content content = builder.finish();
     if (content.templates.empty() && content.landblocks.empty())
         return fail(

@@ -15,7 +15,7 @@ struct ArchiveClosed {
     void operator()(archive* open) const { archive_read_free(open); }
 };
 
-tl::unexpected<Error> damaged(const std::filesystem::path& path, archive* open) {
+Failure damaged(const std::filesystem::path& path, archive* open) {
     const char* const reason = archive_error_string(open);
     return fail(ErrorCode::Malformed, path.string(),
                 std::string("cannot be read as an archive: ") + (reason != nullptr ? reason : "unknown"));

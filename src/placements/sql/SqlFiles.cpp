@@ -115,7 +115,7 @@ Result<std::vector<SqlFile>> findSqlFiles(const std::vector<fs::path>& paths) {
     for (std::size_t i = 0; i < paths.size(); ++i) {
         const std::size_t before = files.size();
         if (Result<void> added = addPath(paths[i], i, files); !added)
-            return tl::unexpected(added.error());
+            return Failure(added.error());
         if (files.size() == before)
             return fail(ErrorCode::NotFound, paths[i].string(), "no file of SQL (*.sql) is there");
     }

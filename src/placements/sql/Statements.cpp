@@ -60,12 +60,12 @@ private:
     Result<void> advance() {
         Result<Token> token = tokens_.next();
         if (!token)
-            return tl::unexpected(token.error());
+            return Failure(token.error());
         token_ = *token;
         return {};
     }
 
-    [[nodiscard]] tl::unexpected<Error> expected(const char* what) {
+    [[nodiscard]] Failure expected(const char* what) {
         if (token_.kind == Token::Kind::End)
             return tokens_.fault("the file ends within a statement; it is not complete");
         constexpr std::size_t kMostShown = 40;
@@ -84,7 +84,7 @@ private:
         const std::size_t begin = tokens_.line();
         const Result<bool> whole = tokens_.skipStatement();
         if (!whole)
-            return tl::unexpected(whole.error());
+            return Failure(whole.error());
         if (!*whole)
             return tokens_.faultAt(begin, "the file ends within this statement; it is not complete");
         return {};
@@ -109,11 +109,11 @@ private:
                 return expected("the name of a table");
             const Table* table = findTable(token_.text);
             if (Result<void> read = advance(); !read)
-                return tl::unexpected(read.error());
+                return Failure(read.error());
             if (!token_.isSymbol('.'))
                 return table;
             if (Result<void> read = advance(); !read)
-                return tl::unexpected(read.error());
+                return Failure(read.error());
         }
     }
 
@@ -127,7 +127,7 @@ private:
                     return read;
         const Result<const Table*> table = tableName();
         if (!table)
-            return tl::unexpected(table.error());
+            return Failure(table.error());
         if (*table != nullptr)
             return tokens_.fault(fmt::format("cannot execute {} on {}; only INSERT and DELETE are read",
                                              printable(verb), (*table)->name));
@@ -141,7 +141,7 @@ private:
             return read;
         const Result<const Table*> table = tableName();
         if (!table)
-            return tl::unexpected(table.error());
+            return Failure(table.error());
         if (*table == nullptr)
             return token_.isSymbol(';') ? Result<void>() : skipRest();
         if (!isWord(token_, "WHERE"))
@@ -176,7 +176,7 @@ private:
                     return read;
         const Result<const Table*> table = tableName();
         if (!table)
-            return tl::unexpected(table.error());
+            return Failure(table.error());
         if (*table == nullptr)
             return token_.isSymbol(';') ? Result<void>() : skipRest();
         if (Result<void> read = columns(**table); !read)

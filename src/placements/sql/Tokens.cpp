@@ -58,7 +58,7 @@ bool Tokens::refill() {
     end_ = kept;
     const Result<std::size_t> more = read_(std::span(buffer_).subspan(kept));
     if (!more) {
-        broken_ = tl::unexpected(more.error());
+        broken_ = Failure(more.error());
         return false;
     }
     end_ += *more;
@@ -85,13 +85,13 @@ std::size_t Tokens::line() {
     return line_;
 }
 
-tl::unexpected<Error> Tokens::faultAt(std::size_t line, std::string what) const {
+Failure Tokens::faultAt(std::size_t line, std::string what) const {
     return fail(ErrorCode::Malformed, fmt::format("{}:{}", name_, line), std::move(what));
 }
 
-tl::unexpected<Error> Tokens::endsWithin(std::size_t line, const char* part) const {
+Failure Tokens::endsWithin(std::size_t line, const char* part) const {
     if (!broken_)
-        return tl::unexpected(broken_.error());
+        return Failure(broken_.error());
     return faultAt(line,
                    fmt::format("the file ends within the {} that begins here; it is not complete", part));
 }
@@ -239,7 +239,7 @@ Result<Token> Tokens::readNumber() {
 
 Result<Token> Tokens::next() {
     if (Result<void> blanks = skipBlanks(); !blanks)
-        return tl::unexpected(blanks.error());
+        return Failure(blanks.error());
     const int c = peek();
     if (c == kEnd)
         return Token{};
@@ -279,7 +279,7 @@ Result<bool> Tokens::skipStatement() {
         else if (kIsMark[static_cast<std::size_t>(c)])
             skip();
         if (!skipped)
-            return tl::unexpected(skipped.error());
+            return Failure(skipped.error());
         if (c == ';')
             return true;
     }

@@ -48,8 +48,8 @@ public:
     /// The line of the current position, from 1.
     [[nodiscard]] std::size_t line();
     /// An error in that line of the text.
-    [[nodiscard]] tl::unexpected<Error> faultAt(std::size_t line, std::string what) const;
-    [[nodiscard]] tl::unexpected<Error> fault(std::string what) { return faultAt(line(), std::move(what)); }
+    [[nodiscard]] Failure faultAt(std::size_t line, std::string what) const;
+    [[nodiscard]] Failure fault(std::string what) { return faultAt(line(), std::move(what)); }
     /// Bytes of the text that were read.
     [[nodiscard]] std::size_t position() const { return discarded_ + at_; }
 
@@ -68,7 +68,7 @@ private:
     [[nodiscard]] Result<Token> readWhile(Token::Kind kind, bool (*belongs)(int));
     [[nodiscard]] Result<Token> readNumber();
     void addEscaped(int c);
-    [[nodiscard]] tl::unexpected<Error> endsWithin(std::size_t line, const char* part) const;
+    [[nodiscard]] Failure endsWithin(std::size_t line, const char* part) const;
 
     ReadBytes read_;
     std::string name_;
@@ -77,8 +77,8 @@ private:
     std::size_t discarded_ = 0;          ///< bytes before the buffer
     std::size_t line_ = 1, counted_ = 0; ///< the line of buffer_[counted_]
     bool isAtEnd_ = false;
-    tl::expected<void, Error> broken_; ///< an error of read_
-    std::string text_;                 ///< of the current token
+    Result<void> broken_; ///< an error of read_
+    std::string text_;    ///< of the current token
 };
 
 } // namespace limen::placements

@@ -86,7 +86,7 @@ Result<void> ContentWriter::prepare(const Sqlite& file) {
     for (std::size_t i = 0; i < kStatements.size(); ++i) {
         Result<Query> query = file.prepare(kStatements[i]);
         if (!query)
-            return tl::unexpected(query.error());
+            return Failure(query.error());
         queries_[i] = std::move(*query);
     }
     return {};

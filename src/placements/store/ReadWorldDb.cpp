@@ -101,13 +101,13 @@ template <class Take>
 Result<void> forEach(const Sqlite& file, std::string_view sql, std::int64_t key, Take&& take) {
     Result<Query> query = file.prepare(sql);
     if (!query)
-        return tl::unexpected(query.error());
+        return Failure(query.error());
     if (sql.find('?') != std::string_view::npos)
         query->bind(0, key);
     for (;;) {
         const Result<bool> row = query->step();
         if (!row)
-            return tl::unexpected(row.error());
+            return Failure(row.error());
         if (!*row)
             return {};
         take(*query);
@@ -177,16 +177,16 @@ Result<WorldDb> WorldDb::open(const std::filesystem::path& path) {
         return fail(ErrorCode::NotFound, path.string(), "no such file; write it with limen world import");
     Result<Sqlite> file = Sqlite::open(path, Sqlite::Mode::Read);
     if (!file)
-        return tl::unexpected(file.error());
+        return Failure(file.error());
     const Result<std::int64_t> id = file->number("PRAGMA application_id");
     if (!id)
-        return tl::unexpected(id.error());
+        return Failure(id.error());
     if (*id != kApplicationId)
         return fail(ErrorCode::Malformed, path.string(),
                     "is not a world.db of Limen; write one with limen world import");
     const Result<std::int64_t> version = file->number("PRAGMA user_version");
     if (!version)
-        return tl::unexpected(version.error());
+        return Failure(version.error());
     if (*version != kSchemaVersion)
         return fail(
             ErrorCode::Unsupported, path.string(),
@@ -255,11 +255,11 @@ Result<Content> WorldDb::readAll() const {
     Content content;
     const Result<std::vector<std::uint32_t>> ids = landblocks();
     if (!ids)
-        return tl::unexpected(ids.error());
+        return Failure(ids.error());
     for (const std::uint32_t id : *ids) {
         Result<Landblock> read = landblock(id);
         if (!read)
-            return tl::unexpected(read.error());
+            return Failure(read.error());
         content.landblocks.emplace(id, std::move(*read));
     }
     const std::lock_guard guard(open_->lock);
@@ -290,7 +290,7 @@ Result<std::vector<Found>> WorldDb::search(const std::string& name, std::optiona
                     wantsAll ? "placement p LEFT JOIN template t" : "template t CROSS JOIN placement p");
     Result<Query> query = open_->file.prepare(sql);
     if (!query)
-        return tl::unexpected(query.error());
+        return Failure(query.error());
     query->bindText(0, name);
     if (type)
         query->bind(1, *type);
@@ -301,7 +301,7 @@ Result<std::vector<Found>> WorldDb::search(const std::string& name, std::optiona
     for (;;) {
         const Result<bool> row = query->step();
         if (!row)
-            return tl::unexpected(row.error());
+            return Failure(row.error());
         if (!*row)
             return found;
         found.push_back({placementAt(*query), query->text(11), integerAt<std::int32_t>(*query, 12)});

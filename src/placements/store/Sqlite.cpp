@@ -7,7 +7,7 @@
 namespace limen::placements {
 namespace {
 
-tl::unexpected<Error> failed(sqlite3* database, const std::string& where) {
+Failure failed(sqlite3* database, const std::string& where) {
     const int code = sqlite3_errcode(database);
     const bool isDamaged = code == SQLITE_NOTADB || code == SQLITE_CORRUPT || code == SQLITE_ERROR;
     return fail(isDamaged ? ErrorCode::Malformed : ErrorCode::Unreadable, where,
@@ -49,7 +49,7 @@ Result<void> Query::execute() {
     const Result<bool> row = step();
     reset();
     if (!row)
-        return tl::unexpected(row.error());
+        return Failure(row.error());
     return {};
 }
 
@@ -116,10 +116,10 @@ Result<Query> Sqlite::prepare(std::string_view sql) const {
 Result<std::int64_t> Sqlite::number(std::string_view sql) const {
     Result<Query> query = prepare(sql);
     if (!query)
-        return tl::unexpected(query.error());
+        return Failure(query.error());
     const Result<bool> row = query->step();
     if (!row)
-        return tl::unexpected(row.error());
+        return Failure(row.error());
     return *row ? query->integer(0) : 0;
 }
 

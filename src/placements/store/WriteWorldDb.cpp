@@ -24,11 +24,11 @@ Result<Hashes> hashesOf(const Sqlite& file, const char* sql) {
     Hashes hashes;
     Result<Query> query = file.prepare(sql);
     if (!query)
-        return tl::unexpected(query.error());
+        return Failure(query.error());
     for (;;) {
         const Result<bool> row = query->step();
         if (!row)
-            return tl::unexpected(row.error());
+            return Failure(row.error());
         if (!*row)
             return hashes;
         hashes.emplace(static_cast<std::uint32_t>(query->integer(0)),
@@ -42,8 +42,7 @@ Result<std::optional<Known>> knownAt(const fs::path& path) {
     if (!fs::exists(path, error))
         return std::nullopt;
     Result<Sqlite> file = Sqlite::open(path, Sqlite::Mode::Read);
-    const Result<std::int64_t> id =
-        file ? file->number("PRAGMA application_id") : tl::unexpected(file.error());
+    const Result<std::int64_t> id = file ? file->number("PRAGMA application_id") : Failure(file.error());
     if (!id || *id != kApplicationId)
         return fail(ErrorCode::BadArgument, path.string(),
                     "another file has this name, and it is not replaced; choose another one with -o FILE");
@@ -155,7 +154,7 @@ Result<void> apply(const Changes& changes, const Content& content, ContentWriter
 Result<void> writeOrigin(Sqlite& file, const Origin& origin) {
     Result<Query> query = file.prepare("INSERT OR REPLACE INTO meta VALUES(?,?)");
     if (!query)
-        return tl::unexpected(query.error());
+        return Failure(query.error());
     for (const auto& [key, value] : {std::pair{"source", origin.source}, std::pair{"time", origin.time}}) {
         query->bindText(0, key);
         query->bindText(1, value);
@@ -169,7 +168,7 @@ Result<void> writeChanges(const fs::path& part, bool isNew, const Changes& chang
                           const Origin& origin, const std::function<bool()>& proceed) {
     Result<Sqlite> file = Sqlite::open(part, isNew ? Sqlite::Mode::Create : Sqlite::Mode::Change);
     if (!file)
-        return tl::unexpected(file.error());
+        return Failure(file.error());
     // The file has no readers until it is renamed, and is thrown away on failure: it needs no journal.
     constexpr const char* kFast =
         "PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; PRAGMA locking_mode=EXCLUSIVE;"
@@ -192,7 +191,7 @@ Result<WriteCounts> writeWorldDb(const fs::path& path, const Content& content, c
                                  const std::function<bool()>& proceed) {
     const Result<std::optional<Known>> known = knownAt(path);
     if (!known)
-        return tl::unexpected(known.error());
+        return Failure(known.error());
     const bool isNew = !known->has_value();
     Changes changes;
     const Known before = isNew ? Known() : **known;

@@ -16,7 +16,7 @@ Result<ViewVerdict> ViewCheck::check(engine::Session& session, const engine::Fra
     }
     const Result<check::DrawnImages> drawn = engine::drawImages(session, request, false);
     if (!drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     traced_->setDynamics(session.dynamics());
     const output::TracedFrame traced = output::traceFrame(traced_->scene(), request);
     check::ViewRetracer retracer(*traced_, traced.camera);

@@ -73,11 +73,11 @@ Result<WorldOpening::Found> WorldOpening::find() {
     Result<engine::WorldSource> source =
         engine::openWorldSource(request_.directory, engine::PlaceSearch::Find, count);
     if (!source)
-        return tl::unexpected(source.error());
+        return Failure(source.error());
     auto shared = std::make_shared<const engine::WorldSource>(std::move(*source));
     Result<engine::ViewRequest> view = request_.start(*shared);
     if (!view)
-        return tl::unexpected(view.error());
+        return Failure(view.error());
     return Found{std::move(shared), std::move(*view)};
 }
 
@@ -86,18 +86,18 @@ Result<WorldOpening::Read> WorldOpening::read() const {
     Result<std::unique_ptr<engine::PartPlanner>> part =
         session_->read(target, openingThreads(), progress_.get());
     if (!part)
-        return tl::unexpected(part.error());
+        return Failure(part.error());
     Result<gpu::StagedScene> staged =
         gpu::stageScene(frame::buildScene((*part)->part->scene), session_->renderer().options(),
                         session_->capabilities(), {});
     if (!staged)
-        return tl::unexpected(staged.error());
+        return Failure(staged.error());
     return Read{std::move(*part), std::make_unique<gpu::StagedScene>(std::move(*staged))};
 }
 
 Result<bool> WorldOpening::step() {
     if (Result<void> advanced = advance(); !advanced)
-        return tl::unexpected(advanced.error());
+        return Failure(advanced.error());
     return phase_ == Phase::Ready;
 }
 
@@ -107,7 +107,7 @@ Result<void> WorldOpening::advance() {
         if (isThere(finding_)) {
             Result<Found> found = finding_.get();
             if (!found)
-                return tl::unexpected(found.error());
+                return Failure(found.error());
             view_ = std::move(found->view);
             session_ = std::make_unique<engine::Session>(std::move(found->source), request_.options, device_);
             phase_ = Phase::Renderer;
@@ -122,7 +122,7 @@ Result<void> WorldOpening::advance() {
     case Phase::Upload: {
         const Result<bool> uploaded = session_->renderer().advance(kSlice);
         if (!uploaded)
-            return tl::unexpected(uploaded.error());
+            return Failure(uploaded.error());
         sent_ = std::min(sent_ + kSlice, bytes_);
         return *uploaded ? finish() : Result<void>{};
     }
@@ -135,7 +135,7 @@ Result<void> WorldOpening::advance() {
 Result<void> WorldOpening::beginUpload() {
     Result<Read> read = reading_.get();
     if (!read)
-        return tl::unexpected(read.error());
+        return Failure(read.error());
     planner_ = std::move(read->planner);
     arrays_ = read->scene->arrays;
     bytes_ = bytesOfUpload(*read->scene);
@@ -150,7 +150,7 @@ Result<void> WorldOpening::finish() {
     const Result<engine::FrameRequest> start =
         engine::frameRequest(session_->part().world, session_->source().file, view_);
     if (!start)
-        return tl::unexpected(start.error());
+        return Failure(start.error());
     start_ = *start;
     phase_ = Phase::Ready;
     return {};

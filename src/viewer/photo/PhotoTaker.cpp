@@ -20,7 +20,7 @@ Result<void> PhotoTaker::begin(engine::Session& session, const engine::FrameRequ
     Result<engine::LargePicture> picture =
         engine::LargePicture::begin(session, request, {.supersample = supersample});
     if (!picture)
-        return tl::unexpected(picture.error());
+        return Failure(picture.error());
     picture_ = std::make_unique<engine::LargePicture>(std::move(*picture));
     directory_ = std::move(directory);
     command_ = std::move(command);
@@ -31,7 +31,7 @@ Result<std::optional<std::filesystem::path>> PhotoTaker::step(engine::Session& s
     if (picture_ != nullptr) {
         if (Result<void> drawn = picture_->drawNext(session); !drawn) {
             picture_.reset();
-            return tl::unexpected(drawn.error());
+            return Failure(drawn.error());
         }
         if (picture_->isDone()) {
             output::Picture whole;
@@ -50,7 +50,7 @@ Result<std::optional<std::filesystem::path>> PhotoTaker::step(engine::Session& s
         return std::nullopt;
     Result<std::filesystem::path> saved = file_.get();
     if (!saved)
-        return tl::unexpected(saved.error());
+        return Failure(saved.error());
     return std::filesystem::absolute(*saved);
 }
 

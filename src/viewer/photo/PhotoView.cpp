@@ -20,7 +20,7 @@ Result<std::string> PhotoView::frame(const play::PlayInput& input, std::uint32_t
     engine::scaleRequest(mode_.preview(window_), percent, drawn_);
     const Result<double> sceneMs = drawTimed(session_, drawn_, {});
     if (!sceneMs)
-        return tl::unexpected(sceneMs.error());
+        return Failure(sceneMs.error());
     sceneMs_ = *sceneMs;
     return line;
 }

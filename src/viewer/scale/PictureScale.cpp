@@ -50,7 +50,7 @@ Result<double> drawTimed(engine::Session& session, const engine::FrameRequest& r
                          const engine::DrawOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     if (Result<void> drawn = session.draw(request, options); !drawn)
-        return tl::unexpected(drawn.error());
+        return Failure(drawn.error());
     if (!session.capabilities().software)
         return session.figures().gpuMs;
     session.finish();

@@ -64,7 +64,7 @@ Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, con
     const std::vector<dat::BlockCoord> blocks = blocksAround(centre, std::max(radius, farRadius));
     Result<std::unique_ptr<dat::Region>> region = loadRegion(archive, blocks);
     if (!region)
-        return tl::unexpected(region.error());
+        return Failure(region.error());
     std::vector<BlockKey> keys;
     for (const dat::BlockCoord block : blocks) {
         const int away = std::max(std::abs(block.x - centre.x), std::abs(block.y - centre.y));

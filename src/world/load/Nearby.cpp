@@ -27,7 +27,7 @@ Result<std::unique_ptr<dat::Region>> loadRegion(const dat::Archive& archive,
         return archive.contains<dat::LandBlock>(dat::landBlockId(coord)) && !isDungeon(archive, coord);
     });
     if (needed)
-        return tl::unexpected(region.error());
+        return Failure(region.error());
     return nullptr;
 }
 

@@ -11,7 +11,7 @@
 namespace limen::world {
 namespace {
 
-tl::unexpected<Error> refused(dat::RecordId id, ErrorCode code, const char* what) {
+Failure refused(dat::RecordId id, ErrorCode code, const char* what) {
     return fail(code, fmt::format("0x{:08X}", id), what);
 }
 
@@ -19,12 +19,12 @@ Result<Image> decodedPicture(const dat::Archive& archive, dat::RecordId id, dat:
                              const DecodeRules& rules) {
     const Result<dat::RenderSurface> picture = archive.load<dat::RenderSurface>(id);
     if (!picture)
-        return tl::unexpected(picture.error());
+        return Failure(picture.error());
     std::optional<dat::Palette> palette;
     if (const dat::RecordId used = paletteId != 0 ? paletteId : picture->defaultPalette; used != 0) {
         Result<dat::Palette> loaded = archive.load<dat::Palette>(used);
         if (!loaded)
-            return tl::unexpected(loaded.error());
+            return Failure(loaded.error());
         palette = std::move(*loaded);
     }
     Result<Image> image = decodeImage(*picture, palette ? &*palette : nullptr, rules);
@@ -37,10 +37,10 @@ Result<Image> pictureOfTexture(const dat::Archive& archive, dat::RecordId id, da
                                const DecodeRules& rules) {
     const Result<dat::SurfaceTexture> texture = archive.load<dat::SurfaceTexture>(id);
     if (!texture)
-        return tl::unexpected(texture.error());
+        return Failure(texture.error());
     const Result<dat::RecordId> picture = archive.imageOf(*texture);
     if (!picture)
-        return tl::unexpected(picture.error());
+        return Failure(picture.error());
     return decodedPicture(archive, *picture, palette, rules);
 }
 
@@ -74,7 +74,7 @@ Result<Image> loadPicture(const dat::Archive& archive, dat::RecordId id) {
     }
     const Result<dat::Surface> surface = archive.load<dat::Surface>(id);
     if (!surface)
-        return tl::unexpected(surface.error());
+        return Failure(surface.error());
     if (!surface->hasImage())
         return refused(id, ErrorCode::NotFound, "the surface has one colour and no picture");
     const DecodeRules rules{(surface->type & dat::Surface::kBase1ClipMap) != 0,

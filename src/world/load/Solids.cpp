@@ -272,7 +272,7 @@ Result<Solids> loadSolids(const dat::Archive& archive, const World& world, dat::
     const std::vector<dat::BlockCoord> blocks = blocksAround(centre, radius);
     const Result<std::unique_ptr<dat::Region>> region = loadRegion(archive, blocks);
     if (!region)
-        return tl::unexpected(region.error());
+        return Failure(region.error());
     Solids solids;
     solids.radius = radius;
     solids.centre = centre;

@@ -13,7 +13,7 @@ struct Destroy {
 };
 using Decoder = std::unique_ptr<void, Destroy>;
 
-tl::unexpected<Error> damaged(const Decoder& decoder) {
+Failure damaged(const Decoder& decoder) {
     return fail(ErrorCode::Malformed, "", fmt::format("JPEG picture: {}", tjGetErrorStr2(decoder.get())));
 }
 

@@ -38,7 +38,7 @@ Result<Image> decode(const PictureKey& key, Records& records) {
     const auto [id, palette, clipMap, additive] = key;
     const Result<dat::RenderSurface> picture = records.archive().load<dat::RenderSurface>(id);
     if (!picture)
-        return tl::unexpected(picture.error());
+        return Failure(picture.error());
     const dat::RecordId paletteId = palette != 0 ? palette : picture->defaultPalette;
     Result<Image> image =
         decodeImage(*picture, paletteId != 0 ? records.palette(paletteId) : nullptr, {clipMap, additive});
@@ -156,12 +156,12 @@ Result<std::shared_ptr<const Image>> Materials::overlaid(const TextureKey& key) 
     LIMEN_ASSERT(key.overlays != 0, "a picture without overlays comes from the cache");
     const Result<dat::RenderSurface> picture = records_.archive().load<dat::RenderSurface>(key.picture);
     if (!picture)
-        return tl::unexpected(picture.error());
+        return Failure(picture.error());
     const dat::RecordId paletteId = key.palette != 0 ? key.palette : picture->defaultPalette;
     Result<Image> image =
         decodeImage(*picture, palette(paletteId, key.overlays), {key.clipMap, key.additive});
     if (!image)
-        return tl::unexpected(image.error());
+        return Failure(image.error());
     if (key.clipMap && image->hasAlpha)
         bleedColour(*image);
     // The image has no content key: overlays have other numbers in each world.
@@ -175,7 +175,7 @@ Result<std::shared_ptr<const Image>> Materials::picture(const PictureKey& key) {
     }
     auto made = records_.collect([&] { return decode(key, records_); });
     if (!made.value)
-        return tl::unexpected(made.value.error());
+        return Failure(made.value.error());
     const auto image = std::make_shared<const Image>(std::move(*made.value));
     if (cache_ == nullptr)
         return image;

@@ -121,7 +121,7 @@ Result<Image> decodeImage(const dat::RenderSurface& picture, const dat::Palette*
     if (picture.format == PixelFormat::RawJpeg) // the file has its own size; the record's may be wrong
         return decodeJpeg(picture.pixels, kLargestSide);
     if (Result<void> fine = check(picture, palette); !fine)
-        return tl::unexpected(fine.error());
+        return Failure(fine.error());
     LIMEN_ASSERT(!isIndexed(picture.format) || !palette->colours.empty(), "check() refuses an empty palette");
     Image image;
     image.width = static_cast<std::uint32_t>(picture.width);

@@ -7,7 +7,7 @@
 namespace limen::visibility {
 
 /// Collects spaces and openings for a Graph, in any order.
-class GraphBuilder {
+class TestGraph {
 public:
     std::uint32_t addSpace(std::uint32_t zone);
     /// A space in a zone of its own.

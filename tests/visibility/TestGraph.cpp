@@ -1,4 +1,4 @@
-#include "visibility/GraphBuilder.h"
+#include "visibility/TestGraph.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -7,32 +7,32 @@
 
 namespace limen::visibility {
 
-std::uint32_t GraphBuilder::addSpace(std::uint32_t zone) {
+std::uint32_t TestGraph::addSpace(std::uint32_t zone) {
     zones_.push_back(zone);
     return static_cast<std::uint32_t>(zones_.size() - 1);
 }
 
-std::uint32_t GraphBuilder::addSpace() {
+std::uint32_t TestGraph::addSpace() {
     return addSpace(static_cast<std::uint32_t>(zones_.size()));
 }
 
-void GraphBuilder::link(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon) {
+void TestGraph::link(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon) {
     linkInexact(from, to, polygon, {polygon.rbegin(), polygon.rend()});
     openings_[openings_.size() - 2].exact = openings_.back().exact = true;
 }
 
-void GraphBuilder::linkOneWay(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon) {
+void TestGraph::linkOneWay(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon) {
     openings_.push_back({from, to, -1, polygon, true});
 }
 
-void GraphBuilder::linkInexact(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon,
-                               const std::vector<Vec3>& back) {
+void TestGraph::linkInexact(std::uint32_t from, std::uint32_t to, const std::vector<Vec3>& polygon,
+                            const std::vector<Vec3>& back) {
     const int first = static_cast<int>(openings_.size());
     openings_.push_back({from, to, first + 1, polygon, false});
     openings_.push_back({to, from, first, back, false});
 }
 
-Graph GraphBuilder::build() const {
+Graph TestGraph::build() const {
     std::vector<std::uint32_t> order(openings_.size());
     for (std::uint32_t i = 0; i < order.size(); ++i)
         order[i] = i;
