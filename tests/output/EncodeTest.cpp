@@ -105,11 +105,11 @@ TEST(Encode, aPictureWithoutPixelsOrTooWideIsRefused) {
 }
 
 TEST(Encode, theEndingSelectsTheFormat) {
-    EXPECT_EQ(pictureFormatOf("a/b.png"), PictureFormat::Png);
-    EXPECT_EQ(pictureFormatOf("b.JPG"), PictureFormat::Jpeg);
-    EXPECT_EQ(pictureFormatOf("b.x.jpeg"), PictureFormat::Jpeg);
-    EXPECT_EQ(pictureFormatOf("b.webp"), PictureFormat::Webp);
-    EXPECT_EQ(pictureFormatOf("/dev/null"), PictureFormat::Png);
+    EXPECT_EQ(pictureFormatOf("a/b.png").value(), PictureFormat::Png);
+    EXPECT_EQ(pictureFormatOf("b.JPG").value(), PictureFormat::Jpeg);
+    EXPECT_EQ(pictureFormatOf("b.x.jpeg").value(), PictureFormat::Jpeg);
+    EXPECT_EQ(pictureFormatOf("b.webp").value(), PictureFormat::Webp);
+    EXPECT_EQ(pictureFormatOf("/dev/null").value(), PictureFormat::Png);
     for (const char* name : {"", "picture", "a.png/b", "b.bmp", ".png"}) {
         const auto format = pictureFormatOf(name);
         ASSERT_FALSE(format) << name;
@@ -118,7 +118,7 @@ TEST(Encode, theEndingSelectsTheFormat) {
             EXPECT_THAT(format.error().what, testing::HasSubstr(known));
     }
     for (const PictureFormat format : {PictureFormat::Png, PictureFormat::Jpeg, PictureFormat::Webp})
-        EXPECT_EQ(pictureFormatOf("x." + std::string(endingOf(format))), format);
+        EXPECT_EQ(pictureFormatOf("x." + std::string(endingOf(format))).value(), format);
 }
 
 } // namespace

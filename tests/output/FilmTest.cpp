@@ -32,10 +32,10 @@ Result<void> filmOf(const std::filesystem::path& ffmpeg, const std::filesystem::
 }
 
 TEST(Film, theEndingSelectsTheFormat) {
-    EXPECT_EQ(filmFormatOf("a.MP4"), FilmFormat::Mp4);
-    EXPECT_EQ(filmFormatOf("a.webm"), FilmFormat::Webm);
-    EXPECT_EQ(filmFormatOf("a/b.gif"), FilmFormat::Gif);
-    EXPECT_EQ(filmFormatOf("a.webp"), FilmFormat::Webp);
+    EXPECT_EQ(filmFormatOf("a.MP4").value(), FilmFormat::Mp4);
+    EXPECT_EQ(filmFormatOf("a.webm").value(), FilmFormat::Webm);
+    EXPECT_EQ(filmFormatOf("a/b.gif").value(), FilmFormat::Gif);
+    EXPECT_EQ(filmFormatOf("a.webp").value(), FilmFormat::Webp);
     for (const char* name : {"a", "a.avi", "a.png"}) {
         const auto format = filmFormatOf(name);
         ASSERT_FALSE(format);
@@ -49,7 +49,7 @@ TEST(Film, aMissingFfmpegIsNamedWithItsPackage) {
     ASSERT_FALSE(missing);
     EXPECT_THAT(missing.error().message(), HasSubstr("package ffmpeg"));
     const std::filesystem::path program = script(directory, "exit 0\n");
-    EXPECT_EQ(findFfmpeg("/nowhere:" + directory.path().string()), program);
+    EXPECT_EQ(findFfmpeg("/nowhere:" + directory.path().string()).value(), program);
 }
 
 // The substitute copies its input to its output, so that the film's bytes are known.
