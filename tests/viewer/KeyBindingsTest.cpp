@@ -132,7 +132,8 @@ TEST(KeyBindings, whatIsWrittenIsReadBackTheSame) {
     bindings.bind(Action::Forward, key("Z"), true);
     bindings.bind(Action::Menu, key("\\"), false);
     bindings.bind(Action::Rain, key("E"), false);
-    EXPECT_EQ(parseKeyBindings(keyBindingsJson(bindings), "f").value(), bindings) << keyBindingsJson(bindings);
+    EXPECT_EQ(parseKeyBindings(keyBindingsJson(bindings), "f").value(), bindings)
+        << keyBindingsJson(bindings);
 }
 
 TEST(KeyBindings, areKeptInAFileWhoseDirectoryIsMade) {
