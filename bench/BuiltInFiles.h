@@ -7,6 +7,7 @@
 #include "worlds/Demo.h"
 
 #include <optional>
+#include <vector>
 
 namespace limen::bench {
 
@@ -27,5 +28,14 @@ struct BuiltInFiles {
             .map([&](world::WorldFile read) { world = std::move(read); });
     }
 };
+
+/// `count` of the way points, spread evenly along the way; none if there are none.
+[[nodiscard]] inline std::vector<world::Place> spreadEvenly(const std::vector<world::Place>& way,
+                                                            std::size_t count) {
+    std::vector<world::Place> places;
+    for (std::size_t i = 0; i < count && !way.empty(); ++i)
+        places.push_back(way[i * way.size() / count]);
+    return places;
+}
 
 } // namespace limen::bench

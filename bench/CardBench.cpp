@@ -43,13 +43,6 @@ std::vector<CardWay> cardWays(const gpu::Capabilities& capabilities) {
     return ways;
 }
 
-std::vector<world::Place> placesOf(const std::vector<world::Place>& tour) {
-    std::vector<world::Place> places;
-    for (std::size_t i = 0; i < kCardPlaces && !tour.empty(); ++i)
-        places.push_back(tour[i * tour.size() / kCardPlaces]);
-    return places;
-}
-
 } // namespace
 
 std::vector<BenchRow> benchCard(AllocationCounter) {
@@ -63,7 +56,7 @@ std::vector<BenchRow> benchCard(AllocationCounter) {
     if (Result<void> opened = files.open(); !opened)
         return {failedRow("card", opened.error().message(), "ms")};
     const Result<std::vector<CardTimes>> times =
-        timeOnCard(*driver->device, *files.archive, files.world, placesOf(files.world.tour),
+        timeOnCard(*driver->device, *files.archive, files.world, spreadEvenly(files.world.tour, kCardPlaces),
                    cardWays(capabilities), {{1280, 720}, {2560, 1440}, {3840, 2160}});
     if (!times)
         return {failedRow("card", times.error().message(), "ms")};

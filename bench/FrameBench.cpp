@@ -99,16 +99,13 @@ BenchRow cpuRow(const BuiltInFiles& files, const Result<CpuTimes>& times) {
 /// Way points of one kind (indoors or not), chosen evenly along the tour.
 std::vector<world::Place> someOf(std::span<const world::Place> tour, const std::vector<bool>& isIndoors,
                                  bool indoors) {
-    std::vector<world::Place> all, some;
+    std::vector<world::Place> all;
     for (std::size_t i = 0; i < tour.size(); ++i)
         if (isIndoors[i] == indoors)
             all.push_back(tour[i]);
-    for (std::size_t i = 0; i < kDriverPlaces && !all.empty(); ++i)
-        some.push_back(all[i * all.size() / kDriverPlaces]);
-    return some;
+    return spreadEvenly(all, kDriverPlaces);
 }
 
-/// Rows of a comparison that could not be made.
 /// Every way of drawing, Limen's first.
 Result<std::vector<std::unique_ptr<FrameWay>>> makeWays(const std::vector<LimenRenderer>& renderers,
                                                         const FrameEffort& effort) {

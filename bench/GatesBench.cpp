@@ -66,9 +66,7 @@ std::vector<BenchRow> benchGates(AllocationCounter) {
     BuiltInFiles files;
     if (Result<void> opened = files.open(); !opened)
         return {failedRow("gates", opened.error().message(), "ms")};
-    std::vector<world::Place> places;
-    for (std::size_t i = 0; i < kPlaces && !files.world.tour.empty(); ++i)
-        places.push_back(files.world.tour[i * files.world.tour.size() / kPlaces]);
+    const std::vector<world::Place> places = spreadEvenly(files.world.tour, kPlaces);
     std::vector<BenchRow> rows;
     for (const gpu::Drawing drawing : {gpu::Drawing::Exact, gpu::Drawing::Fast}) {
         gpu::RendererOptions options;

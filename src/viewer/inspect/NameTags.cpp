@@ -43,12 +43,13 @@ bool contains(const std::vector<Vec2>& polygon, const Vec2& point) {
 
 /// Whether a visit to one of the part's spaces has a region that contains the part's centre.
 bool isSeen(const world::Instance& part, std::span<const world::SpaceIndex> members,
-            const visibility::VisibleSet& visible, const visibility::View& eye) {
+            const visibility::VisibleSet& visible, const std::vector<std::vector<Vec2>>& regions,
+            const visibility::View& eye) {
     const auto point = engine::projectLine(part.bounds.centre, part.bounds.centre, eye);
     return point &&
            std::any_of(visible.seen.begin(), visible.seen.end(), [&](const visibility::SeenSpace& seen) {
                return std::find(members.begin(), members.end(), seen.space) != members.end() &&
-                      contains(engine::regionNdc(visible, visible.visits[seen.visit]), point->first);
+                      contains(regions[seen.visit], point->first);
            });
 }
 
@@ -58,6 +59,7 @@ std::vector<NameTag> nameTags(const world::World& world, const world::DynamicSta
                               const visibility::VisibleSet& visible, const visibility::View& eye) {
     const std::map<std::uint64_t, ObjectParts> objects = partsOf(dynamics);
     const std::span<const world::SpaceIndex> members(dynamics.members);
+    const std::vector<std::vector<Vec2>> regions = engine::regionOutlines(visible);
     std::vector<NameTag> tags;
     for (const world::PlacedObject& object : world.placed) {
         const double distance = glm::distance(object.origin, eye.eye);
@@ -67,7 +69,8 @@ std::vector<NameTag> nameTags(const world::World& world, const world::DynamicSta
         const Vec3 above(object.origin.x, object.origin.y, drawn->second.top + kAboveTop);
         const auto point = engine::projectLine(above, above, eye);
         const auto isPartSeen = [&](const world::Instance* part) {
-            return isSeen(*part, members.subspan(part->firstMember, part->memberCount), visible, eye);
+            return isSeen(*part, members.subspan(part->firstMember, part->memberCount), visible, regions,
+                          eye);
         };
         if (point && std::any_of(drawn->second.parts.begin(), drawn->second.parts.end(), isPartSeen))
             tags.push_back({point->first, engine::nameWithoutGuid(object.name), distance});
