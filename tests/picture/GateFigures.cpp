@@ -1,6 +1,7 @@
 #include "picture/GateFigures.h"
 
 #include "output/OutputFile.h"
+#include "picture/Naming.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,9 +37,12 @@ std::optional<GateFigures> GateFigures::fromEnvironment() {
 void GateFigures::add(const world::World& world, const Picture& picture, const check::Comparison& comparison,
                       double milliseconds) const {
     std::set<world::SpaceIndex> wrongSpaces;
+    std::map<std::string, std::size_t> instead; // wrong pixels by the kind of instance that they show
     for (std::size_t i = 0; i < comparison.verdicts.size(); ++i) {
         if (!check::isFinding(comparison.verdicts[i]))
             continue;
+        const std::string shown = describeId(world, picture.ids[i]);
+        ++instead[shown.substr(0, shown.find(' '))];
         const std::uint32_t instance = instanceOfId(world, picture.ids[i]);
         if (instance != world::kNone)
             wrongSpaces.insert(world.instances[instance].placedIn);
@@ -53,6 +57,7 @@ void GateFigures::add(const world::World& world, const Picture& picture, const c
                               {"wrong", comparison.findings()},
                               {"voids", comparison.count(check::Verdict::Void)},
                               {"spaces", wrongSpaces.size()},
+                              {"instead", instead},
                               {"calls", picture.glCalls},
                               {"draws", picture.draws},
                               {"milliseconds", milliseconds}};
