@@ -233,8 +233,9 @@ Result<void> checkDepthRemains(const ShotOptions& options, const std::vector<Lis
     const bool wantsDepth = std::any_of(views.begin(), views.end(),
                                         [](const ListedView& view) { return !view.outputs.depth.empty(); });
     if (wantsDepth && !options.reference && options.session.gate == frame::Gate::Depth)
-        return fail(ErrorCode::BadArgument, "--depth",
-                    "the depth gate overwrites depth within the frame and has no depth image; use another --gate");
+        return fail(
+            ErrorCode::BadArgument, "--depth",
+            "the depth gate overwrites depth within the frame and has no depth image; use another --gate");
     return {};
 }
 

@@ -31,7 +31,8 @@ std::optional<GateFigures> GateFigures::fromEnvironment() {
         return {};
     const std::optional<frame::Gate> gate = frame::gateNamed(name);
     const char* const pictures = std::getenv("LIMEN_GATE_PICTURES");
-    return gate ? std::make_optional(GateFigures{*gate, file, pictures != nullptr ? pictures : ""}) : std::nullopt;
+    return gate ? std::make_optional(GateFigures{*gate, file, pictures != nullptr ? pictures : ""})
+                : std::nullopt;
 }
 
 void GateFigures::add(const world::World& world, const Picture& picture, const check::Comparison& comparison,
@@ -87,8 +88,8 @@ void GateFigures::writePair(const Picture& right, const Picture& gated) const {
     };
     put(right, 0);
     put(gated, width + kGap);
-    const Result<void> written = output::writePicture(
-        pictures / (testName() + "-" + std::string(nameOf(gate)) + ".png"), pair);
+    const Result<void> written =
+        output::writePicture(pictures / (testName() + "-" + std::string(nameOf(gate)) + ".png"), pair);
     EXPECT_TRUE(written) << written.error().message();
 }
 
