@@ -64,6 +64,7 @@ struct BenchOptions {
 
 std::string unknownMessage(const std::string& name) {
     std::vector<std::string> names;
+    names.reserve(kBenches.size());
     for (const Bench& bench : kBenches)
         names.emplace_back(bench.name);
     const std::vector<std::string> similar = nearest(name, names, 1);
