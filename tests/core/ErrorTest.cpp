@@ -57,6 +57,7 @@ TEST(Result, movesValuesThatCannotBeCopied) {
     Result<std::unique_ptr<int>> made = std::make_unique<int>(3);
     const std::unique_ptr<int> taken = *std::move(made);
     EXPECT_EQ(*taken, 3);
+    // NOLINTNEXTLINE(bugprone-use-after-move): a value that was moved from is still a value
     EXPECT_EQ(*std::move(made).map([](std::unique_ptr<int>&& rest) { return rest == nullptr; }), true);
 }
 

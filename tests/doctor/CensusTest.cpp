@@ -195,8 +195,8 @@ TEST_F(CensusTest, countsShapesSceneryAndCalls) {
     const auto shapeWith = [](std::size_t vertices) {
         dat::CellStruct shape;
         shape.cellBsp = shape.physicsBsp = leafTree();
-        for (std::uint16_t i = 0; i < vertices; ++i)
-            shape.vertexArray.vertices.emplace_back(i, dat::Vertex{});
+        for (std::size_t i = 0; i < vertices; ++i)
+            shape.vertexArray.vertices.emplace_back(static_cast<std::uint16_t>(i), dat::Vertex{});
         return shape;
     };
     dat::Environment environment;

@@ -176,8 +176,8 @@ void OriginalRecords::addMeshes() {
         dat::GfxObj object;
         object.id = id;
         object.flags = dat::GfxObj::kDrawing;
-        for (std::uint16_t i = 0; i < polygons; ++i)
-            object.polygons.emplace_back(i, bareTriangle(0));
+        for (std::size_t i = 0; i < polygons; ++i)
+            object.polygons.emplace_back(static_cast<std::uint16_t>(i), bareTriangle(0));
         object.drawingBsp = openings > 0 ? planeTree(dat::BspTag::Port, 0) : leafTree();
         for (std::size_t i = 0; i < openings; ++i)
             object.drawingBsp.nodes[0].portals.push_back({});
@@ -378,12 +378,13 @@ void OriginalRecords::addShapes() {
     dat::Environment sample;
     sample.id = 0x0D00062E;
     dat::CellStruct box = shape();
-    for (std::uint16_t i = 0; i < v(8u); ++i)
-        box.vertexArray.vertices.emplace_back(i, dat::Vertex{{v(4.0f), -0.6f, 1.8f}, {}, {}});
+    for (std::uint32_t i = 0; i < v(8u); ++i)
+        box.vertexArray.vertices.emplace_back(static_cast<std::uint16_t>(i),
+                                              dat::Vertex{{v(4.0f), -0.6f, 1.8f}, {}, {}});
     dat::Polygon side = bareTriangle(0);
     side.vertexKeys.push_back(v<std::uint16_t>(3));
-    for (std::uint16_t i = 0; i < v(6u); ++i)
-        box.polygons.emplace_back(i, side);
+    for (std::uint32_t i = 0; i < v(6u); ++i)
+        box.polygons.emplace_back(static_cast<std::uint16_t>(i), side);
     box.cellBsp = planeTree(dat::BspTag::BPnn, v(-1.8f));
     box.physicsBsp = planeTree(dat::BspTag::BPnN, v(1.8f));
     box.drawingBsp = planeTree(dat::BspTag::BPIn, v(-1.8f));
@@ -409,8 +410,8 @@ void OriginalRecords::addAcademy() {
     for (std::uint32_t key = 0; key < 2; ++key) {
         dat::CellStruct shape;
         shape.cellBsp = shape.physicsBsp = leafTree();
-        for (std::uint16_t id = 0; id < 3 - key; ++id) {
-            shape.polygons.emplace_back(id, bareTriangle(0));
+        for (std::uint32_t id = 0; id < 3 - key; ++id) {
+            shape.polygons.emplace_back(static_cast<std::uint16_t>(id), bareTriangle(0));
             if (!changed)
                 shape.portalPolygons.push_back(id);
         }

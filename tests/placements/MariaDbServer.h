@@ -59,9 +59,8 @@ public:
         std::string error;
         if (mysql_real_connect(connection, nullptr, "root", nullptr,
                                database.empty() ? nullptr : database.c_str(), 0, socket().c_str(),
-                               CLIENT_MULTI_STATEMENTS) == nullptr)
-            error = mysql_error(connection);
-        else if (mysql_real_query(connection, statements.data(), statements.size()) != 0)
+                               CLIENT_MULTI_STATEMENTS) == nullptr ||
+            mysql_real_query(connection, statements.data(), statements.size()) != 0)
             error = mysql_error(connection);
         else
             error = drain(connection);
