@@ -413,7 +413,7 @@ void OriginalRecords::addAcademy() {
         for (std::uint32_t id = 0; id < 3 - key; ++id) {
             shape.polygons.emplace_back(static_cast<std::uint16_t>(id), bareTriangle(0));
             if (!changed)
-                shape.portalPolygons.push_back(id);
+                shape.portalPolygons.push_back(static_cast<std::uint16_t>(id));
         }
         shape.polygons.emplace_back(9, bareTriangle(1));
         shapes.cells.emplace_back(key, shape);
