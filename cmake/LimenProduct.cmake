@@ -84,6 +84,7 @@ function(limen_install_product name description requires private)
     set(libs_private "")
     if(BUILD_SHARED_LIBS)
         set(cflags " -DLIMEN_SHARED")
+        set(private "") # a user of the shared library needs no .pc file of these
     else()
         # A static library needs its own requirements and the C++ library in each link.
         set(requires "${requires} ${private}")
