@@ -125,12 +125,12 @@ public:
 
     [[nodiscard]] VertexArray vertices() const {
         VertexArray out;
-        for (std::uint16_t i = 0; i < (side_ + 1) * (side_ + 1); ++i) {
+        for (int i = 0; i < (side_ + 1) * (side_ + 1); ++i) {
             const auto x = static_cast<float>(i % (side_ + 1)), y = static_cast<float>(i / (side_ + 1));
             Vertex v{{x, y, std::sin(x) * std::cos(y)}, {0.0f, 0.0f, 1.0f}, {{x, y}}};
             for (int k = 0; k < i % 3; ++k) // a vertex that several surfaces share has a uv for each
                 v.uvs.push_back({x * 0.5f, y * 0.5f});
-            out.vertices.emplace_back(i, v);
+            out.vertices.emplace_back(static_cast<std::uint16_t>(i), v);
         }
         return out;
     }

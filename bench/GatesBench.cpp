@@ -4,6 +4,8 @@
 #include "HeadlessDriver.h"
 #include "ViewTimes.h"
 
+#include "engine/WorldSource.h"
+
 #include <fmt/format.h>
 
 namespace limen::bench {
@@ -59,20 +61,18 @@ std::vector<BenchRow> gateRows(const GateFrames& frames, const std::string& way)
     return rows;
 }
 
-std::vector<BenchRow> benchGates(AllocationCounter) {
+namespace {
+
+std::vector<BenchRow> benchBothWays(const dat::Archive& archive, const world::WorldFile& world) {
     const std::optional<HeadlessDriver> driver = openDriver();
     if (!driver)
         return {failedRow("gates", "no driver with OpenGL 4.5", "ms")};
-    BuiltInFiles files;
-    if (Result<void> opened = files.open(); !opened)
-        return {failedRow("gates", opened.error().message(), "ms")};
-    const std::vector<world::Place> places = spreadEvenly(files.world.tour, kPlaces);
+    const std::vector<world::Place> places = spreadEvenly(world.tour, kPlaces);
     std::vector<BenchRow> rows;
     for (const gpu::Drawing drawing : {gpu::Drawing::Exact, gpu::Drawing::Fast}) {
         gpu::RendererOptions options;
         options.drawing = drawing;
-        const Result<GateFrames> frames =
-            timeGates(*driver->device, *files.archive, files.world, places, options);
+        const Result<GateFrames> frames = timeGates(*driver->device, archive, world, places, options);
         if (!frames)
             return {failedRow("gates", frames.error().message(), "ms")};
         const std::vector<BenchRow> ofWay =
@@ -80,6 +80,24 @@ std::vector<BenchRow> benchGates(AllocationCounter) {
         rows.insert(rows.end(), ofWay.begin(), ofWay.end());
     }
     return rows;
+}
+
+} // namespace
+
+std::vector<BenchRow> benchGates(AllocationCounter) {
+    BuiltInFiles files;
+    if (Result<void> opened = files.open(); !opened)
+        return {failedRow("gates", opened.error().message(), "ms")};
+    return benchBothWays(*files.archive, files.world);
+}
+
+std::vector<BenchRow> benchGatesOver(const std::string& dat) {
+    const Result<engine::WorldSource> source = engine::openWorldSource(dat);
+    if (!source)
+        return {failedRow("gates", source.error().message(), "ms")};
+    if (source->file.tour.empty())
+        return {failedRow("gates", dat + ": no tour leads through this world", "ms")};
+    return benchBothWays(source->archive, source->file);
 }
 
 } // namespace limen::bench

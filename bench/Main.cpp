@@ -45,7 +45,8 @@ constexpr std::array kBenches{
         "graph",
         &benchFrame, nullptr, &benchFrameWith},
     Bench{"card", "GPU time of whole frames on a graphics card, by stage", &benchCard},
-    Bench{"gates", "time, GL calls, draws and fragments of the three gates along the tour", &benchGates},
+    Bench{"gates", "time, GL calls, draws and fragments of the three gates along the tour", &benchGates,
+          &benchGatesOver},
     Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
     Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},
@@ -63,6 +64,7 @@ struct BenchOptions {
 
 std::string unknownMessage(const std::string& name) {
     std::vector<std::string> names;
+    names.reserve(kBenches.size());
     for (const Bench& bench : kBenches)
         names.emplace_back(bench.name);
     const std::vector<std::string> similar = nearest(name, names, 1);
@@ -143,7 +145,9 @@ int run(int argc, const char* const* argv) {
                      "limen bench");
     BenchOptions options;
     program.add_option("NAME", options.names, "run these benchmarks (all)")->type_name("");
-    program.add_option("--dat", options.dat, "use this data in place of the benchmark's own (stream only)")
+    program
+        .add_option("--dat", options.dat,
+                    "use this data in place of the benchmark's own (stream and gates only)")
         ->type_name("DIR");
     program
         .add_option("--pictures", options.pictures,

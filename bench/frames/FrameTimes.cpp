@@ -79,6 +79,7 @@ Result<std::vector<FrameTime>> timePlace(const Ways& ways, const FramePlace& pla
         }
     }
     std::vector<FrameTime> medians;
+    medians.reserve(times.size());
     for (const std::vector<FrameTime>& way : times)
         medians.push_back({medianOf(way, &FrameTime::wall), medianOf(way, &FrameTime::processor)});
     return medians;

@@ -53,7 +53,7 @@ Result<void> drawPlace(DrawnPart& part, const frame::FrameView& view) {
 Result<void> countFrame(DrawnPart& part, const frame::FrameView& view, const FragmentCounter& counter,
                         GateFrame& frame, Hash& pictures) {
     counter.begin();
-    const Result<void> drawn = drawPlace(part, view);
+    Result<void> drawn = drawPlace(part, view);
     frame.fragments = counter.end();
     if (!drawn)
         return drawn;

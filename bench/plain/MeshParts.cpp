@@ -92,6 +92,7 @@ std::vector<MeshPart> partsOf(const world::World& world, const world::Instance& 
         }
     }
     std::vector<MeshPart> parts;
+    parts.reserve(gathered.size());
     for (auto& [key, found] : gathered)
         parts.push_back(std::move(found.part));
     return parts;

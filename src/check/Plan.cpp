@@ -109,6 +109,7 @@ std::vector<BlockTask> tasksOf(std::span<const View> views) {
         task.given.push_back(view);
     }
     std::vector<BlockTask> tasks;
+    tasks.reserve(byBlock.size());
     for (auto& [word, task] : byBlock)
         tasks.push_back(std::move(task));
     return tasks;

@@ -57,7 +57,7 @@ Result<double> parseNumber(std::string_view option, std::string_view text) {
 }
 
 Result<double> parseNumberBetween(std::string_view option, std::string_view text, double low, double high) {
-    const Result<double> number = parseNumber(option, text);
+    Result<double> number = parseNumber(option, text);
     if (number && !(*number >= low && *number <= high))
         return bad(option, text, fmt::format("between {} and {}", low, high));
     return number;

@@ -31,7 +31,7 @@ Result<void> take(const std::string& text, const char* option, Parse parse, T& v
 }
 
 Result<Vec3> positionNearMap(std::string_view option, std::string_view text) {
-    const Result<Vec3> value = parseVec3(option, text);
+    Result<Vec3> value = parseVec3(option, text);
     if (value &&
         !(std::max({std::abs(value->x), std::abs(value->y), std::abs(value->z)}) <= kFarthestPosition))
         return fail(

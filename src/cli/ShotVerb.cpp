@@ -228,6 +228,17 @@ Result<void> checkSupersampling(const ShotOptions& options, const std::vector<Li
     return {};
 }
 
+/// Errors: a depth image of the depth gate, which overwrites depth within the frame.
+Result<void> checkDepthRemains(const ShotOptions& options, const std::vector<ListedView>& views) {
+    const bool wantsDepth = std::any_of(views.begin(), views.end(),
+                                        [](const ListedView& view) { return !view.outputs.depth.empty(); });
+    if (wantsDepth && !options.reference && options.session.gate == frame::Gate::Depth)
+        return fail(
+            ErrorCode::BadArgument, "--depth",
+            "the depth gate overwrites depth within the frame and has no depth image; use another --gate");
+    return {};
+}
+
 /// Ids and depth are for proofs: exact, unless the user asks otherwise.
 engine::SessionOptions sessionOptionsFor(const ShotOptions& options, const std::vector<ListedView>& views) {
     engine::SessionOptions session = options.session;
@@ -247,6 +258,8 @@ Result<Exit> runShot(const ShotOptions& options, const Console& console) {
         return Failure(written.error());
     if (Result<void> traceable = options.reference ? checkTraceable(*views) : Result<void>{}; !traceable)
         return Failure(traceable.error());
+    if (Result<void> remains = checkDepthRemains(options, *views); !remains)
+        return Failure(remains.error());
     if (Result<void> checked = checkSupersampling(options, *views); !checked)
         return Failure(checked.error());
     if (Result<void> checked = checkAllOutputs(options, *views); !checked)

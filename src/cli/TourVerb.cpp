@@ -213,7 +213,7 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     if (!findings.empty())
         console.note(findings);
     outputs->begin((*frames)->count(), request->framesPerSecond);
-    const Result<Exit> drawn = drawTour(session, **frames, *outputs, options, console);
+    Result<Exit> drawn = drawTour(session, **frames, *outputs, options, console);
     if (!drawn || *drawn == Exit::Interrupted)
         return drawn;
     const std::string difference = play::differenceLine(**frames);

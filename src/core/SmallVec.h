@@ -100,7 +100,7 @@ public:
         size_ = static_cast<std::uint32_t>(count);
     }
     void push_back(const T& value) {
-        const T kept = value; // it may be an element that grow() moves
+        const T kept = value; // NOLINT(performance-*): it may be an element that grow() moves
         if (size_ == capacity_)
             grow(size_type{size_} + 1);
         std::construct_at(data() + size_, kept);

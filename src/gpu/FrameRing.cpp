@@ -132,7 +132,8 @@ void FrameRing::bind(StorageBindings& storage) const {
 
 void FrameRing::write(const layout::DeviceConstants& constants, std::span<std::byte> memory) const {
     const layout::FrameConstants both{plan_.constants, constants};
-    std::memcpy(memory.data() + places_[kConstants].offset, &both, sizeof both);
+    const std::span<const std::byte> raw = std::as_bytes(std::span(&both, 1));
+    std::copy(raw.begin(), raw.end(), memory.data() + places_[kConstants].offset);
     for (std::size_t i = 0; i < kArrays; ++i) {
         const std::span<const std::byte> array = bytes(static_cast<Array>(i));
         if (!array.empty())

@@ -98,7 +98,7 @@ std::vector<std::string> definesOf(const RendererOptions& options) {
 } // namespace
 
 Renderer::Renderer(Device& device, RendererOptions options)
-    : device_(&device), options_(options), fast_(std::make_unique<FastDraws>()),
+    : device_(&device), options_(std::move(options)), fast_(std::make_unique<FastDraws>()),
       spare_(std::make_unique<SpareBuffers>(device)) {
     options_.textures.nearestLevel = isFast();
 }

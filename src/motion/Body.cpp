@@ -88,7 +88,7 @@ private:
         if (!(length > 0.0))
             return std::nullopt;
         const Vec3 from = body_.standing.feet, direction = way / length;
-        const std::optional<Bump> bump =
+        std::optional<Bump> bump =
             around_.sweep(shape_.capsule, body_.standing, from + direction * (length + kSkin), doors_);
         const double free = bump ? bump->share * (length + kSkin) - kSkin : length;
         if (free > 0.0)

@@ -129,7 +129,7 @@ std::optional<world::PartFrame> PartPoses::frameOf(std::uint32_t part) const {
 PartPose PartPoses::of(std::uint32_t index) const {
     LIMEN_ASSERT(index < body_.partCount, "the part is one of the body");
     const world::Instance& resting = world_.movingParts[body_.firstPart + index];
-    const PartPose rest{Mat3(resting.linear), Vec3(resting.origin)};
+    PartPose rest{Mat3(resting.linear), Vec3(resting.origin)};
     if (stretch_ == nullptr)
         return rest;
     const world::PosedPart& posed = world_.posedParts[body_.firstPosed + index];

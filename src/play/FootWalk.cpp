@@ -86,11 +86,11 @@ private:
     Result<bool> goTo(const engine::ViewRequest& point) {
         const Vec3 target = feetAt(point);
         const double pitch = point.pitch.value_or(0.0);
-        const Result<bool> straight = goTo(target, pitch);
+        Result<bool> straight = goTo(target, pitch);
         if (!straight || *straight)
             return straight;
         for (const double square : kSquares) {
-            const Result<bool> there = goAround(target, pitch, square);
+            Result<bool> there = goAround(target, pitch, square);
             if (!there || *there)
                 return there;
         }

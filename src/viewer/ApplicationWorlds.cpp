@@ -53,9 +53,8 @@ Result<void> Application::finishOpening() {
     while (opening_) {
         const Result<bool> ready = opening_->step();
         if (!ready) {
-            const Error error = ready.error();
-            fail(error.message());
-            return Failure(error);
+            fail(ready.error().message());
+            return Failure(ready.error());
         }
         if (*ready)
             show(opening_->take());

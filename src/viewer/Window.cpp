@@ -73,7 +73,7 @@ std::string offeredInstead() {
         const GLubyte* value = glGetString(name);
         return value != nullptr ? std::string(reinterpret_cast<const char*>(value)) : std::string("?");
     };
-    const std::string offer = fmt::format("{} ({})", text(GL_VERSION), text(GL_RENDERER));
+    std::string offer = fmt::format("{} ({})", text(GL_VERSION), text(GL_RENDERER));
     glfwDestroyWindow(window);
     return offer;
 }

@@ -137,6 +137,14 @@ TEST(Shot, manyViewsGiveTheSameAsOneByOne) {
     EXPECT_EQ(getText(runner.work() / "room.npy"), getText(runner.work() / "out/room.npy"));
 }
 
+TEST(Shot, refusesADepthImageOfTheDepthGate) {
+    const ProgramRunner runner;
+    const ProgramRun run = runner.run({"shot", "--at", "hill", "--gate", "depth", "--depth", "d.npy"});
+    EXPECT_EQ(run.exit, 2);
+    EXPECT_NE(run.err.find("the depth gate overwrites depth"), std::string::npos) << run.err;
+    EXPECT_EQ(runner.work().entryCount(), 0u);
+}
+
 TEST(Shot, refusesACellThatIsNotThere) {
     const ProgramRunner runner;
     const ProgramRun run =

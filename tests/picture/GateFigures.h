@@ -14,13 +14,19 @@ namespace limen::test {
 /// with that gate, and wrong pixels are written down instead of failing.
 struct GateFigures {
     frame::Gate gate = frame::Gate::Ownership;
-    std::filesystem::path file; ///< one JSON object a view is appended
+    std::filesystem::path file;     ///< one JSON object a view is appended
+    std::filesystem::path pictures; ///< a directory, or empty: writePair
 
-    /// From LIMEN_MEASURED_GATE and LIMEN_GATE_FIGURES; none if one of them is not set.
+    /// From LIMEN_MEASURED_GATE, LIMEN_GATE_FIGURES and LIMEN_GATE_PICTURES; none if one of the first two is not set.
     [[nodiscard]] static std::optional<GateFigures> fromEnvironment();
     /// `milliseconds`: of drawing the picture and reading it.
     void add(const world::World& world, const Picture& picture, const check::Comparison& comparison,
              double milliseconds) const;
+    /// Whether writePair is to be called: pictures are wanted, and no view of the test before had as many wrong
+    /// pixels.
+    [[nodiscard]] bool wantsPair(const check::Comparison& comparison) const;
+    /// Writes two lit pictures of one size side by side, `right` and the gate's, to TEST-GATE.png.
+    void writePair(const Picture& right, const Picture& gated) const;
 };
 
 } // namespace limen::test

@@ -55,6 +55,14 @@ Driver& driver() {
     return instance;
 }
 
+/// The same view at a size that people can look at, 480 pixels wide.
+frame::FrameView enlarged(frame::FrameView frame) {
+    const std::uint32_t factor = std::max(480 / frame.width, 1u);
+    frame.width *= factor;
+    frame.height *= factor;
+    return frame;
+}
+
 } // namespace
 
 struct PictureWorld::Planning {
@@ -260,7 +268,10 @@ Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::Rend
         const auto start = std::chrono::steady_clock::now();
         const Picture drawn = shoot(measured, options);
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-        figures->add(world(), drawn, judge(drawn), time.count());
+        const check::Comparison comparison = judge(drawn);
+        figures->add(world(), drawn, comparison, time.count());
+        if (figures->wantsPair(comparison))
+            figures->writePair(shoot(enlarged(frame)), shoot(enlarged(measured)));
         return drawn;
     }
     Picture picture = shoot(frame, options);

@@ -26,6 +26,7 @@ std::string inQuotes(const std::string& text) {
 
 std::vector<std::string> namesOf(const std::vector<CommandFacts>& commands) {
     std::vector<std::string> names;
+    names.reserve(commands.size());
     for (const CommandFacts& command : commands)
         names.push_back(command.name());
     return names;

@@ -46,7 +46,7 @@ Result<std::size_t> writePages(const CommandFacts& command, const CommandFacts& 
         !written)
         return Failure(written.error());
     for (const CommandFacts& below : command.commands) {
-        const Result<std::size_t> more = writePages(below, root, directory);
+        Result<std::size_t> more = writePages(below, root, directory);
         if (!more)
             return more;
         count += *more;

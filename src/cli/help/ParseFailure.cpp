@@ -13,7 +13,7 @@ namespace {
 std::string verbPath(const CLI::App& command) {
     std::string path;
     for (const CLI::App* app = &command; app->get_parent() != nullptr; app = app->get_parent())
-        path = app->get_name() + (path.empty() ? "" : " ") + path;
+        path.insert(0, app->get_name() + (path.empty() ? "" : " "));
     return path;
 }
 

@@ -201,6 +201,7 @@ Result<std::vector<Vec3>> PlacedObjects::positionsOf(placements::TemplateType ty
     return database_.search({}, static_cast<std::int32_t>(type), std::numeric_limits<std::size_t>::max())
         .map([](const std::vector<placements::Found>& found) {
             std::vector<Vec3> positions;
+            positions.reserve(found.size());
             for (const placements::Found& one : found)
                 positions.push_back(globalOf(one.placement.spot));
             return positions;

@@ -86,8 +86,8 @@ public:
     Texture() = default;
     Texture(Texture&& other) noexcept : GlName(std::move(other)), handle_(std::exchange(other.handle_, 0)) {}
     Texture& operator=(Texture&& other) noexcept {
-        GlName::operator=(std::move(other));
         std::swap(handle_, other.handle_);
+        GlName::operator=(std::move(other));
         return *this;
     }
     /// Ends the residency of its handle first.

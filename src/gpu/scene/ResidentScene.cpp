@@ -76,12 +76,12 @@ void ResidentScene::listArrays() {
 }
 
 Result<bool> ResidentScene::advance(std::size_t& bytes) {
-    if (const Result<bool> filled = textures_.advance(bytes); !filled || !*filled)
+    if (Result<bool> filled = textures_.advance(bytes); !filled || !*filled)
         return filled;
     if (arrays_.empty())
         listArrays();
     for (; done_ < arrays_.size(); ++done_)
-        if (const Result<bool> uploaded = upload(arrays_[done_], bytes); !uploaded || !*uploaded)
+        if (Result<bool> uploaded = upload(arrays_[done_], bytes); !uploaded || !*uploaded)
             return uploaded;
     if (scene_ != nullptr) {
         bound_.insert(bound_.end(), textures_.pages().begin(), textures_.pages().end());

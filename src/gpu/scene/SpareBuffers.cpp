@@ -11,7 +11,7 @@ constexpr std::size_t kSmallest = std::size_t{64} << 10; // bytes: smaller buffe
 
 /// Capacity for `bytes` and up to a quarter more, so that a somewhat longer array fits later.
 std::size_t withRoom(std::size_t bytes) {
-    const std::size_t step = std::bit_floor(std::max(bytes, kSmallest)) / 4;
+    const std::size_t step = std::bit_floor(bytes > kSmallest ? bytes : kSmallest) / 4;
     return (bytes + step - 1) / step * step;
 }
 

@@ -123,9 +123,7 @@ Result<void> Tokens::skipBlanks() {
         const int c = peek();
         if (isBlank(c)) {
             skip();
-        } else if (c == '#') {
-            skipLine();
-        } else if (c == '-' && peekAfter() == '-') {
+        } else if (c == '#' || (c == '-' && peekAfter() == '-')) {
             skipLine();
         } else if (c == '/' && peekAfter() == '*') {
             if (Result<void> done = skipComment(); !done)

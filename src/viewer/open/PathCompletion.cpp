@@ -27,7 +27,7 @@ std::string expandHome(const std::string& typed, const std::string& home) {
     const auto first = typed.find_first_not_of(" \t"), last = typed.find_last_not_of(" \t\r\n");
     if (first == std::string::npos)
         return {};
-    const std::string text = typed.substr(first, last - first + 1);
+    std::string text = typed.substr(first, last - first + 1);
     if (text[0] == '~' && (text.size() == 1 || text[1] == '/') && !home.empty())
         return home + text.substr(1);
     return text;

@@ -28,8 +28,8 @@ SpaceAssembler::SpaceAssembler(World& world) : world_(world) {
 
 JoiningBlock SpaceAssembler::add(const BlockContent& content) {
     addBlock(content);
-    const JoiningBlock block{content, static_cast<std::uint32_t>(world_.blocks.size() - 1),
-                             static_cast<SpaceIndex>(world_.spaces.size()), world_.blocks.back().origin()};
+    JoiningBlock block{content, static_cast<std::uint32_t>(world_.blocks.size() - 1),
+                       static_cast<SpaceIndex>(world_.spaces.size()), world_.blocks.back().origin()};
     addCells(block);
     addZones(block);
     addPortals(block);

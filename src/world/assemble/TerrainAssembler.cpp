@@ -16,6 +16,7 @@ const dat::TerrainTexture* terrainTexture(const dat::Region& region, std::uint32
 
 std::vector<std::uint32_t> codesOf(const std::vector<dat::AlphaMap>& maps) {
     std::vector<std::uint32_t> codes;
+    codes.reserve(maps.size());
     for (const dat::AlphaMap& map : maps)
         codes.push_back(map.code);
     return codes;
