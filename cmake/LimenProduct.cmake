@@ -61,8 +61,12 @@ endfunction()
 function(limen_install_product name description requires private)
     set(target limen_library_${name})
     set(config ${CMAKE_INSTALL_LIBDIR}/cmake/limen)
+    set(library ${name}) # a distribution has the library in a package without the headers
+    if(LIMEN_DEBIAN)
+        set(library ${name}-library)
+    endif()
     install(TARGETS ${target} EXPORT limen-${name}-targets
-        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name} NAMELINK_COMPONENT ${name}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${library} NAMELINK_COMPONENT ${name}
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name}
         RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${name}
         FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT ${name})
@@ -80,6 +84,7 @@ function(limen_install_product name description requires private)
     set(libs_private "")
     if(BUILD_SHARED_LIBS)
         set(cflags " -DLIMEN_SHARED")
+        set(private "") # a user of the shared library needs no .pc file of these
     else()
         # A static library needs its own requirements and the C++ library in each link.
         set(requires "${requires} ${private}")

@@ -17,8 +17,8 @@ endif()
 add_library(limen_flags INTERFACE)
 target_compile_options(limen_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>)
-# GCC 12 at -O3 warns of concatenated strings without reason (its bug 105651).
-target_compile_options(limen_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+# GCC 12 at -O3 warns of concatenated strings without reason (its bug 105651); GCC 13 does not.
+target_compile_options(limen_flags INTERFACE $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
 # A warning of ours is no error of a project that contains ours, perhaps with another compiler.
 option(LIMEN_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 if(LIMEN_WERROR)

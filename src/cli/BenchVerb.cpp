@@ -12,15 +12,19 @@
 namespace limen::cli {
 namespace {
 
-/// The benchmarks replace operator new, so they are a separate program next to this one.
+/// The benchmarks replace operator new, so they are a separate program: next to this one in a build, and in
+/// libexec of an installed copy.
 Result<std::filesystem::path> benchProgram() {
     std::error_code error;
     const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path program = self.parent_path() / "limen-bench";
-    if (error || !std::filesystem::exists(program, error))
-        return fail(ErrorCode::NotFound, program.string(),
-                    "the benchmark program is missing; build the target limen-bench");
-    return program;
+    const std::filesystem::path beside = self.parent_path() / "limen-bench";
+    const std::filesystem::path installed =
+        self.parent_path().parent_path() / "libexec" / "limen" / "limen-bench";
+    for (const std::filesystem::path& program : {beside, installed})
+        if (std::filesystem::exists(program, error))
+            return program;
+    return fail(ErrorCode::NotFound, beside.string(),
+                "the benchmark program is missing; build the target limen-bench");
 }
 
 /// Replaces this process with the benchmarks, so that output, signals and exit code are theirs.
