@@ -1,12 +1,11 @@
 #include "cli/Choices.h"
 #include "cli/Verbs.h"
+#include "core/platform/Environment.h"
+#include "core/platform/Process.h"
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <memory>
-#include <unistd.h>
 #include <vector>
 
 namespace limen::cli {
@@ -15,9 +14,9 @@ namespace {
 /// The benchmarks replace operator new, so they are a separate program next to this one.
 Result<std::filesystem::path> benchProgram() {
     std::error_code error;
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path program = self.parent_path() / "limen-bench";
-    if (error || !std::filesystem::exists(program, error))
+    const std::filesystem::path program =
+        platform::programPath().parent_path() / platform::programFileName("limen-bench");
+    if (!std::filesystem::exists(program, error))
         return fail(ErrorCode::NotFound, program.string(),
                     "the benchmark program is missing; build the target limen-bench");
     return program;
@@ -28,12 +27,7 @@ Result<Exit> becomeBench(const std::vector<std::string>& arguments) {
     const Result<std::filesystem::path> program = benchProgram();
     if (!program)
         return Failure(program.error());
-    std::vector<const char*> argv{program->c_str()};
-    for (const std::string& argument : arguments)
-        argv.push_back(argument.c_str());
-    argv.push_back(nullptr);
-    ::execv(program->c_str(), const_cast<char* const*>(argv.data()));
-    return fail(ErrorCode::Unreadable, program->string(), std::strerror(errno));
+    return fail(ErrorCode::Unreadable, program->string(), platform::becomeProgram(*program, arguments));
 }
 
 struct BenchArguments {

@@ -83,7 +83,7 @@ struct Closed {
 };
 
 Result<void> readFile(const fs::path& path, const SqlFile& file, const ReadSqlFile& read) {
-    const std::unique_ptr<std::FILE, Closed> stream(std::fopen(path.c_str(), "rb"));
+    const std::unique_ptr<std::FILE, Closed> stream(platform::openFile(path, "rb"));
     if (stream == nullptr)
         return fail(ErrorCode::Unreadable, path.string(), std::strerror(errno));
     return read(file, [&](std::span<char> buffer) -> Result<std::size_t> {

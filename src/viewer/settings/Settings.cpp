@@ -238,7 +238,8 @@ SettingsFile readSettings(const fs::path& file) {
 Result<void> writeSettings(const fs::path& file, const Settings& settings) {
     if (file.empty())
         return fail(ErrorCode::Unreadable, "settings",
-                    "no configuration directory to save them in; set XDG_CONFIG_HOME");
+                    fmt::format("no configuration directory to save them in; set {}",
+                                engine::userDirectoryNames().configuration));
     if (Result<void> made = output::makeDirectory(file.parent_path()); !made)
         return made;
     return output::writeFile(file, std::string_view(settingsText(settings, textOf(file))));
