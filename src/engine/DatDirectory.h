@@ -37,11 +37,11 @@ struct DatDirectory {
 /// Access to a system, so that a search can be tested.
 struct SystemView {
     std::filesystem::path home;
-    std::vector<std::filesystem::path> drives; ///< roots of disks; none on systems without drive letters
     std::function<std::string(const char*)> environment; ///< "" for an unset variable
     /// The entries of a directory in ascending order; empty if it cannot be read.
     std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> entries;
     std::function<bool(const std::filesystem::path&)> exists;
+    std::vector<std::filesystem::path> drives; ///< roots of disks; none on systems without drive letters
 };
 
 /// The directories that installers of the game use, on every drive and in the user's Wine prefixes (Wine, Lutris,

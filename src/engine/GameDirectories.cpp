@@ -97,7 +97,7 @@ Paths knownGameDirectories() {
         std::error_code error;
         return fs::is_directory(path, error);
     };
-    return knownGameDirectories(SystemView{platform::homeDirectory(), platform::driveRoots(), platform::environmentVariable, entries, exists});
+    return knownGameDirectories(SystemView{platform::homeDirectory(), platform::environmentVariable, entries, exists, platform::driveRoots()});
 }
 
 } // namespace limen::engine

@@ -1,6 +1,7 @@
 #include "placements/sql/SqlFiles.h"
 
 #include "core/Assert.h"
+#include "core/platform/Files.h"
 #include "placements/Tables.h"
 #include "placements/sql/SqlArchive.h"
 #include "placements/sql/Text.h"
