@@ -106,6 +106,7 @@ nlohmann::ordered_json worldJson(const WorldView& view) {
                                           : nlohmann::ordered_json(nullptr)},
             {"open_doors", view.openDoors()},
             {"visits", session.visible().visits.size()},
+            {"gate", nameOf(session.options().gate)},
             {"overlays",
              {{"ids", view.switches().ids},
               {"depth", view.switches().depth},

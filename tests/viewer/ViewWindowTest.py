@@ -308,6 +308,24 @@ class ViewWindow(WindowTest):
         self.assertEqual(state["overlays"], {"ids": True, "depth": True, "regions": True, "portals": True, "names": False, "panel": True})
         self.assertEqual(state["page"], "controls")
 
+    def test_f10_and_the_panel_choose_the_gate(self):
+        with Followed(self, "--at", "cottage.room", size="640x360") as view:
+            self.assertEqual(view.state["gate"], "ownership")
+            calls = view.until(lambda s: s["frames"] > 3, "steady frames")["gl_calls"]
+            for gate in ("planes", "depth"):
+                view.press("F10")
+                view.until(lambda s: s["gate"] == gate, gate)
+                view.until(lambda s: s["gl_calls"] != calls, f"frames that {gate} draws", frames=20)
+            view.press("F10")
+            view.until(lambda s: s["gate"] == "ownership", "the first gate again")
+            view.press("F4")
+            view.until(lambda s: s["overlays"]["panel"], "the panel")
+            if "panel gate planes" not in view.latest()["items"]:
+                view.choose("tab Developer")
+            view.choose("panel gate planes")
+            view.until(lambda s: s["gate"] == "planes", "planes by the panel")
+            self.assertEqual(view.leave(), (0, ""))
+
     @patiently
     def test_o_opens_the_doors_r_makes_rain_and_t_makes_it_later(self):
         def press():
