@@ -1,7 +1,6 @@
 # limen_windows_program(target): gives a program for Windows its icon, its manifest and its version, and links the libraries of
 # the compiler into it. The folder for resources of the program is src/cli/windows.
 function(limen_windows_program target)
-    enable_language(RC)
     find_package(Python3 REQUIRED COMPONENTS Interpreter)
     set(folder ${PROJECT_SOURCE_DIR}/src/cli/windows)
     set(icon ${CMAKE_CURRENT_BINARY_DIR}/limen.ico)

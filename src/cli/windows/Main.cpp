@@ -35,7 +35,7 @@ limen::cli::Exit run(const std::vector<std::string>& arguments) {
 
 } // namespace
 
-int wmain(int count, wchar_t** texts) {
+extern "C" int wmain(int count, wchar_t** texts) {
     std::vector<std::string> arguments;
     for (int i = 0; i < count; ++i)
         arguments.push_back(limen::platform::narrowText(texts[i]));
