@@ -119,6 +119,18 @@ class Wine(unittest.TestCase):
         self.assertEqual([key for key in ours if "second" not in key and ours[key] != linux[key]], [])
         self.assertEqual(ours["disagreeing_pixels"], 0)
 
+    def test_a_film_goes_through_ffmpeg(self):
+        source = pathlib.Path(__file__).with_name("FakeFfmpeg.c")
+        tools = self.work / "Werkzeuge да"
+        tools.mkdir()
+        subprocess.run(["x86_64-w64-mingw32-gcc-posix", "-municode", source, "-o", tools / "ffmpeg.exe"], check=True)
+        environment = dict(self.env, WINEPATH="Z:" + str(tools).replace("/", "\\"))
+        done = subprocess.run(["wine", self.program, "tour", "--frames", "3", "--size", "64x36", "--film", "Фильм.gif"], env=environment,
+                              cwd=self.work, capture_output=True, timeout=SECONDS, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr.decode(errors="replace"))
+        self.assertEqual((self.work / "Фильм.gif").stat().st_size, 3 * 64 * 36 * 3)
+        self.assertEqual(list(self.work.glob(".limen-film*")), [])
+
     def test_a_database_server_is_refused_in_one_line(self):
         done = subprocess.run(["wine", self.program, "world", "import", "mysql://me@localhost/world", "-o", "world.db"], env=self.env,
                               cwd=self.work, capture_output=True, timeout=SECONDS, check=False)
