@@ -1,6 +1,7 @@
 #include "viewer/settings/Settings.h"
 
 #include "engine/Quality.h"
+#include "engine/UserFiles.h"
 #include "output/OutputFile.h"
 #include "viewer/KeyBindings.h"
 
