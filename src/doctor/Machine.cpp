@@ -143,8 +143,9 @@ Findings judgeMachine(const MachineFacts& facts) {
     findings.push_back(displayFinding(facts.display));
     findings.push_back(fontFinding(facts.font));
     const engine::UserDirectoryNames names = engine::userDirectoryNames();
-    findings.push_back(directoryFinding("cache", facts.cache, "the built-in world is written anew by every run",
-                                        names.cache, names.cacheFallback));
+    findings.push_back(directoryFinding("cache", facts.cache,
+                                        "the built-in world is written anew by every run", names.cache,
+                                        names.cacheFallback));
     findings.push_back(directoryFinding("settings", facts.configuration, "settings are not kept",
                                         names.configuration, names.configurationFallback));
     findings.push_back(diskFinding(facts.cache));

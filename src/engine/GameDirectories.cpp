@@ -97,7 +97,8 @@ Paths knownGameDirectories() {
         std::error_code error;
         return fs::is_directory(path, error);
     };
-    return knownGameDirectories(SystemView{platform::homeDirectory(), platform::environmentVariable, entries, exists, platform::driveRoots()});
+    return knownGameDirectories(SystemView{platform::homeDirectory(), platform::environmentVariable, entries,
+                                           exists, platform::driveRoots()});
 }
 
 } // namespace limen::engine

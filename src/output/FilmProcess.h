@@ -16,7 +16,8 @@ class FilmProcess {
 public:
     /// Starts ffmpeg in a group of its own: Ctrl-C reaches this program alone, which then ends ffmpeg. The name of the output
     /// is added to `arguments`. Errors: a file beside `path` or the process cannot be made.
-    [[nodiscard]] static Result<FilmProcess> start(const std::filesystem::path& ffmpeg, const std::filesystem::path& path,
+    [[nodiscard]] static Result<FilmProcess> start(const std::filesystem::path& ffmpeg,
+                                                   const std::filesystem::path& path,
                                                    std::vector<std::string> arguments);
     ~FilmProcess(); ///< ends ffmpeg and drops the film
     FilmProcess(FilmProcess&&) noexcept;

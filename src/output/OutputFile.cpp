@@ -27,8 +27,8 @@ std::string reason(int error) {
 /// The reason and the next step.
 std::string notWritten(int error) {
     const char* next = platform::isDiskFull(error) ? "free some space"
-                       : error == ENOENT                  ? "make the directory first"
-                                         : "choose another directory, or check its permissions";
+                       : error == ENOENT           ? "make the directory first"
+                                                   : "choose another directory, or check its permissions";
     return fmt::format("cannot be written: {}; {}", reason(error), next);
 }
 
@@ -85,8 +85,7 @@ public:
     explicit TemporaryFile(const fs::path& path)
         : name_(path.parent_path() /
                 fmt::format(".{}.{}.tmp", shortened(path.filename().string()), platform::processId())),
-          file_(platform::createFile(name_)),
-          present_(file_.isOpen()) {}
+          file_(platform::createFile(name_)), present_(file_.isOpen()) {}
     ~TemporaryFile() {
         if (!present_)
             return;

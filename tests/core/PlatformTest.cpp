@@ -19,9 +19,7 @@ namespace fs = std::filesystem;
 /// A directory whose name has a space and letters outside of ASCII. It is removed with its files.
 class OddDirectory {
 public:
-    OddDirectory() : path_(makeTemporaryDirectory().value()) {
-        fs::create_directory(path_ / kName);
-    }
+    OddDirectory() : path_(makeTemporaryDirectory().value()) { fs::create_directory(path_ / kName); }
     ~OddDirectory() { fs::remove_all(path_); }
     OddDirectory(const OddDirectory&) = delete;
     OddDirectory& operator=(const OddDirectory&) = delete;

@@ -62,7 +62,8 @@ Result<placements::Content> readSources(const WorldImportArguments& arguments, c
     };
     if (placements::isServerUrl(arguments.sources.front())) {
         return placements::importServer(
-            {arguments.sources.front(), platform::environmentVariable("MYSQL_PWD"), arguments.optionFile}, progress);
+            {arguments.sources.front(), platform::environmentVariable("MYSQL_PWD"), arguments.optionFile},
+            progress);
     }
     return placements::importSqlFiles({arguments.sources.begin(), arguments.sources.end()}, progress);
 }

@@ -24,7 +24,8 @@ public:
 
 private:
     HeadlessContext(void* display, void* context) : display_(display), context_(context) {}
-    void* display_ = nullptr; // EGLDisplay, shared by the process and never terminated; or a window of its own
+    void* display_ =
+        nullptr; // EGLDisplay, shared by the process and never terminated; or a window of its own
     void* context_ = nullptr; // EGLContext or HGLRC
 };
 

@@ -112,11 +112,12 @@ Result<FilmProcess> FilmProcess::start(const fs::path& ffmpeg, const fs::path& p
     auto state = std::make_unique<State>();
     state->path = path;
     state->film = hiddenBeside(path, ".part");
-    state->messages = openForChild(hiddenBeside(path, ".txt"), GENERIC_READ | GENERIC_WRITE | DELETE, CREATE_ALWAYS,
-                                   FILE_ATTRIBUTE_HIDDEN | FILE_FLAG_DELETE_ON_CLOSE);
+    state->messages = openForChild(hiddenBeside(path, ".txt"), GENERIC_READ | GENERIC_WRITE | DELETE,
+                                   CREATE_ALWAYS, FILE_ATTRIBUTE_HIDDEN | FILE_FLAG_DELETE_ON_CLOSE);
     SECURITY_ATTRIBUTES inherited{sizeof(SECURITY_ATTRIBUTES), nullptr, TRUE};
     HANDLE input = nullptr;
-    if (state->messages == INVALID_HANDLE_VALUE || CreatePipe(&input, &state->frames, &inherited, 1u << 20) == 0)
+    if (state->messages == INVALID_HANDLE_VALUE ||
+        CreatePipe(&input, &state->frames, &inherited, 1u << 20) == 0)
         return fail(ErrorCode::Unreadable, path.string(),
                     "cannot be written: " + platform::errorText(GetLastError()));
     SetHandleInformation(state->frames, HANDLE_FLAG_INHERIT, 0); // else ffmpeg would hold its own input open
@@ -134,8 +135,8 @@ bool FilmProcess::write(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         constexpr std::size_t kMost = std::size_t{1} << 20;
         DWORD written = 0;
-        if (WriteFile(state_->frames, bytes.data(), static_cast<DWORD>(std::min(bytes.size(), kMost)), &written,
-                      nullptr) == 0)
+        if (WriteFile(state_->frames, bytes.data(), static_cast<DWORD>(std::min(bytes.size(), kMost)),
+                      &written, nullptr) == 0)
             return false;
         bytes = bytes.subspan(written);
     }

@@ -50,7 +50,8 @@ std::wstring uniqueName(std::wstring_view begin) {
 } // namespace
 
 int createFile(const fs::path& path) {
-    return _wsopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_TRUNC | _O_BINARY | _O_NOINHERIT, _SH_DENYNO, kMode);
+    return _wsopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_TRUNC | _O_BINARY | _O_NOINHERIT, _SH_DENYNO,
+                   kMode);
 }
 
 int openDevice(const fs::path& path) {
@@ -100,7 +101,8 @@ std::FILE* openFile(const fs::path& path, const char* mode) {
     if (text.find('x') == std::string_view::npos)
         return _wfopen(path.c_str(), wideText(text).c_str());
     // The C library of Windows before its version 10 does not know "x".
-    const int file = _wsopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _SH_DENYNO, kMode);
+    const int file =
+        _wsopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _SH_DENYNO, kMode);
     return file < 0 ? nullptr : _fdopen(file, "wb");
 }
 

@@ -30,7 +30,8 @@ std::string becomeProgram(const std::filesystem::path& program, const std::vecto
     STARTUPINFOW startup{};
     startup.cb = sizeof startup;
     PROCESS_INFORMATION process{};
-    if (CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &startup, &process) == 0)
+    if (CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &startup,
+                       &process) == 0)
         return errorText(GetLastError());
     WaitForSingleObject(process.hProcess, INFINITE);
     DWORD code = 1;

@@ -24,11 +24,11 @@ std::string narrowText(std::wstring_view text) {
 
 std::string errorText(unsigned long error) {
     wchar_t buffer[512] = L"";
-    const DWORD length =
-        FormatMessageW(FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS, nullptr, error, 0, buffer,
-                       static_cast<DWORD>(std::size(buffer)), nullptr);
+    const DWORD length = FormatMessageW(FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS, nullptr,
+                                        error, 0, buffer, static_cast<DWORD>(std::size(buffer)), nullptr);
     std::string text = narrowText(std::wstring_view(buffer, length));
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == '.' || text.back() == ' '))
+    while (!text.empty() &&
+           (text.back() == '\n' || text.back() == '\r' || text.back() == '.' || text.back() == ' '))
         text.pop_back();
     return text.empty() ? "error " + std::to_string(error) : text;
 }

@@ -12,9 +12,10 @@ namespace limen::gpu {
 namespace {
 
 Failure refusedBySystem(const char* step) {
-    return fail(ErrorCode::Driver, "WGL",
-                fmt::format("no headless OpenGL 4.5 core context: {}: {}; install or update the graphics driver",
-                            step, platform::errorText(GetLastError())));
+    return fail(
+        ErrorCode::Driver, "WGL",
+        fmt::format("no headless OpenGL 4.5 core context: {}: {}; install or update the graphics driver",
+                    step, platform::errorText(GetLastError())));
 }
 
 /// A window that is never shown, with a device context of its own. Null on failure.
@@ -26,7 +27,8 @@ HWND hiddenWindow() {
     windowClass.hInstance = GetModuleHandleW(nullptr);
     windowClass.lpszClassName = kClass;
     RegisterClassW(&windowClass); // fails harmlessly if it is registered
-    return CreateWindowExW(0, kClass, L"", WS_POPUP, 0, 0, 16, 16, nullptr, nullptr, windowClass.hInstance, nullptr);
+    return CreateWindowExW(0, kClass, L"", WS_POPUP, 0, 0, 16, 16, nullptr, nullptr, windowClass.hInstance,
+                           nullptr);
 }
 
 bool choosePixelFormat(HDC device) {
