@@ -1,6 +1,13 @@
 # Settings of all our targets: language level, warnings as errors, sanitizers. They are attached to targets,
 # never to directories, so that external libraries keep their own flags.
 
+# The folder of sources for this system: each is one of a pair behind the same header.
+if(WIN32)
+    set(LIMEN_PLATFORM windows)
+else()
+    set(LIMEN_PLATFORM posix)
+endif()
+
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -34,7 +41,7 @@ if(LIMEN_SANITIZE)
 endif()
 
 find_program(LIMEN_LLD ld.lld)
-if(LIMEN_LLD AND PROJECT_IS_TOP_LEVEL)
+if(LIMEN_LLD AND PROJECT_IS_TOP_LEVEL AND NOT WIN32)
     target_link_options(limen_flags INTERFACE -fuse-ld=lld) # links the test programs in a fraction of the time
 endif()
 

@@ -1,12 +1,11 @@
 #include "cli/Choices.h"
 #include "cli/Verbs.h"
+#include "core/platform/Environment.h"
+#include "core/platform/Process.h"
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <memory>
-#include <unistd.h>
 #include <vector>
 
 namespace limen::cli {
@@ -16,11 +15,10 @@ namespace {
 /// libexec of an installed copy.
 Result<std::filesystem::path> benchProgram() {
     std::error_code error;
-    const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path beside = self.parent_path() / "limen-bench";
-    const std::filesystem::path installed =
-        self.parent_path().parent_path() / "libexec" / "limen" / "limen-bench";
-    for (const std::filesystem::path& program : {beside, installed})
+    const std::string name = platform::programFileName("limen-bench");
+    const std::filesystem::path folder = platform::programPath().parent_path();
+    const std::filesystem::path beside = folder / name;
+    for (const std::filesystem::path& program : {beside, folder.parent_path() / "libexec" / "limen" / name})
         if (std::filesystem::exists(program, error))
             return program;
     return fail(ErrorCode::NotFound, beside.string(),
@@ -32,12 +30,7 @@ Result<Exit> becomeBench(const std::vector<std::string>& arguments) {
     const Result<std::filesystem::path> program = benchProgram();
     if (!program)
         return Failure(program.error());
-    std::vector<const char*> argv{program->c_str()};
-    for (const std::string& argument : arguments)
-        argv.push_back(argument.c_str());
-    argv.push_back(nullptr);
-    ::execv(program->c_str(), const_cast<char* const*>(argv.data()));
-    return fail(ErrorCode::Unreadable, program->string(), std::strerror(errno));
+    return fail(ErrorCode::Unreadable, program->string(), platform::becomeProgram(*program, arguments));
 }
 
 struct BenchArguments {

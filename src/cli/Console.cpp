@@ -1,7 +1,8 @@
 #include "cli/Console.h"
 
+#include "core/platform/Terminal.h"
+
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace limen::cli {
 namespace {
@@ -40,7 +41,7 @@ bool Console::flush() const {
 }
 
 bool Console::isTerminal() const {
-    return ::isatty(::fileno(err_)) == 1;
+    return platform::isTerminal(err_);
 }
 
 Progress::Progress(const Console& console, std::string_view title, std::size_t total)

@@ -1,4 +1,5 @@
 #include "cli/Verbs.h"
+#include "core/platform/Terminal.h"
 #include "doctor/FileHealth.h"
 #include "doctor/Finding.h"
 #include "doctor/Machine.h"
@@ -11,8 +12,6 @@
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace limen::cli {
 namespace {
@@ -99,10 +98,8 @@ void addFiles(Patient& patient, const DoctorArguments& arguments, const Console&
 }
 
 std::size_t tableWidth() {
-    winsize size{};
-    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
-        return kTableWidth;
-    return std::clamp<std::size_t>(size.ws_col, kTableWidth / 2, kWidestTable);
+    const std::optional<std::size_t> width = platform::terminalWidth();
+    return width ? std::clamp(*width, kTableWidth / 2, kWidestTable) : kTableWidth;
 }
 
 Result<Exit> runDoctor(const DoctorArguments& arguments, const Console& console) {

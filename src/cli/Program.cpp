@@ -1,9 +1,9 @@
 #include "cli/Verbs.h"
 #include "cli/help/CommandFacts.h"
 #include "cli/help/ParseFailure.h"
+#include "core/platform/Environment.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
 #include <new>
@@ -37,19 +37,6 @@ Exit runChoice(const Choice& choice, const Console& console) {
     return *done;
 }
 
-/// True if a window can open.
-bool hasDisplay() {
-#ifdef _WIN32
-    return true;
-#else
-    const auto isSet = [](const char* name) {
-        const char* value = std::getenv(name);
-        return value != nullptr && *value != '\0';
-    };
-    return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY");
-#endif
-}
-
 void addVerbs(CLI::App& program, const Console& console, Choice& choice) {
     addViewVerb(program, console, choice);
     addShotVerb(program, console, choice);
@@ -73,7 +60,7 @@ Exit parseAndRun(CLI::App& program, int argc, const char* const* argv, const Cho
                  const Console& console) {
     try {
         program.parse(argc, argv);
-        if (!choice.run && hasDisplay())
+        if (!choice.run && platform::hasDesktop())
             program.parse("view");
         if (choice.run)
             return runChoice(choice, console);

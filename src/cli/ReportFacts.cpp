@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <ctime>
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 namespace limen::cli {
@@ -27,12 +28,7 @@ std::string quotedForShell(const std::string& word) {
 }
 
 std::string nowUtc() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    if (::gmtime_r(&now, &parts) == nullptr)
-        return {};
-    return fmt::format("{:04}-{:02}-{:02} {:02}:{:02} UTC", parts.tm_year + 1900, parts.tm_mon + 1,
-                       parts.tm_mday, parts.tm_hour, parts.tm_min);
+    return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
 }
 
 std::filesystem::path pageOf(const std::string& directory) {

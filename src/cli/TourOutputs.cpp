@@ -3,10 +3,10 @@
 #include "cli/Choices.h"
 #include "cli/Parse.h"
 #include "cli/ReportFacts.h"
+#include "core/platform/Environment.h"
 #include "output/OutputFile.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <fmt/format.h>
 
 namespace limen::cli {
@@ -62,8 +62,7 @@ Result<TourOutputs> TourOutputs::open(const TourOutputOptions& options) {
     if (!options.film.empty()) {
         if (const auto film = output::filmFormatOf(options.film); !film)
             return Failure(film.error());
-        const char* searchPath = std::getenv("PATH");
-        Result<std::filesystem::path> ffmpeg = output::findFfmpeg(searchPath == nullptr ? "" : searchPath);
+        Result<std::filesystem::path> ffmpeg = output::findFfmpeg(platform::environmentVariable("PATH"));
         if (!ffmpeg)
             return Failure(ffmpeg.error());
         outputs.ffmpeg_ = std::move(*ffmpeg);

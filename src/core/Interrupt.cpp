@@ -1,11 +1,9 @@
 #include "core/Interrupt.h"
 
 #include "core/Assert.h"
+#include "core/platform/InterruptSource.h"
 
 #include <atomic>
-#include <csignal>
-#include <initializer_list>
-#include <unistd.h>
 
 namespace limen {
 namespace {
@@ -26,40 +24,18 @@ bool mustDie() {
            (!interruptState.deferred || interruptState.again);
 }
 
-/// Ends the process by the default action. Calls only functions that a handler may call.
-[[noreturn]] void dieBy(int signal) {
-    struct sigaction action {};
-    action.sa_handler = SIG_DFL;
-    ::sigaction(signal, &action, nullptr);
-    sigset_t set;
-    ::sigemptyset(&set);
-    ::sigaddset(&set, signal);
-    ::pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
-    ::raise(signal);
-    ::_exit(128 + signal);
-}
-
 extern "C" void onInterrupt(int signal) {
     int none = 0;
     if (!interruptState.first.compare_exchange_strong(none, signal))
         interruptState.again = true;
     if (mustDie())
-        dieBy(interruptState.first);
+        platform::endBySignal(interruptState.first);
 }
 
 } // namespace
 
 Interrupt Interrupt::install() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction before {};
-        if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN)
-            continue;
-        struct sigaction action {};
-        action.sa_handler = onInterrupt;
-        action.sa_flags = SA_RESTART;
-        ::sigemptyset(&action.sa_mask);
-        ::sigaction(signal, &action, nullptr);
-    }
+    platform::watchInterrupts(onInterrupt);
     Interrupt interrupt;
     interrupt.installed_ = true;
     return interrupt;
@@ -76,7 +52,7 @@ int Interrupt::signal() const {
 
 void Interrupt::die() const {
     LIMEN_ASSERT(isRequested(), "a signal came");
-    dieBy(signal());
+    platform::endBySignal(signal());
 }
 
 UninterruptedWrite::UninterruptedWrite() {
@@ -85,7 +61,7 @@ UninterruptedWrite::UninterruptedWrite() {
 
 UninterruptedWrite::~UninterruptedWrite() {
     if (--interruptState.writes == 0 && mustDie())
-        dieBy(interruptState.first);
+        platform::endBySignal(interruptState.first);
 }
 
 } // namespace limen

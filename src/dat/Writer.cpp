@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "core/Interrupt.h"
+#include "core/platform/Process.h"
 #include "dat/Iterations.h"
 #include "dat/container/Format.h"
 #include "dat/container/Inflate.h"
@@ -12,7 +13,6 @@
 #include <system_error>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 namespace limen::dat {
 namespace {
@@ -99,7 +99,7 @@ void putHeader(Bytes& out, const FileTraits& traits, std::uint32_t root) {
 
 std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
     std::filesystem::path temporary = path;
-    temporary += fmt::format(".{}.part", ::getpid());
+    temporary += fmt::format(".{}.part", platform::processId());
     return temporary;
 }
 

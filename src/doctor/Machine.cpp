@@ -1,6 +1,7 @@
 #include "doctor/Machine.h"
 
 #include "doctor/Bytes.h"
+#include "engine/UserFiles.h"
 
 #include <fmt/format.h>
 
@@ -78,6 +79,8 @@ Finding memoryFinding(const MachineFacts& facts) {
 }
 
 Finding displayFinding(const DisplayFacts& display) {
+    if (!display.desktop.empty())
+        return {"display", Outcome::Ok, display.desktop, ""};
     if (display.answers)
         return {
             "display", Outcome::Ok,
@@ -100,14 +103,14 @@ Finding fontFinding(const std::filesystem::path& font) {
     if (!font.empty())
         return {"font", Outcome::Ok, font.string(), ""};
     return {"font", Outcome::Warning, "the font of the window is not installed: its text is coarse",
-            "install the package fonts-dejavu-core"};
+            systemWords().fontRemedy};
 }
 
 Finding directoryFinding(const char* check, const DirectoryFacts& facts, const char* loss,
-                         const char* variable) {
+                         const char* variable, const char* fallback) {
     const std::string remedy = fmt::format("set {} to a writable directory", variable);
     if (facts.path.empty())
-        return {check, Outcome::Warning, fmt::format("HOME is not set: {}", loss), remedy};
+        return {check, Outcome::Warning, fmt::format("{} is not set: {}", fallback, loss), remedy};
     if (!facts.problem.empty())
         return {check, Outcome::Warning,
                 fmt::format("{} is not writable ({}): {}", facts.path.string(), facts.problem, loss), remedy};
@@ -128,7 +131,7 @@ Finding filmFinding(const std::filesystem::path& ffmpeg) {
     if (!ffmpeg.empty())
         return {"films", Outcome::Ok, ffmpeg.string(), ""};
     return {"films", Outcome::Warning, "there is no ffmpeg: walks can be drawn as pictures, not as films",
-            "install the package ffmpeg (optional)"};
+            systemWords().filmRemedy};
 }
 
 } // namespace
@@ -139,10 +142,12 @@ Findings judgeMachine(const MachineFacts& facts) {
     findings.push_back(memoryFinding(facts));
     findings.push_back(displayFinding(facts.display));
     findings.push_back(fontFinding(facts.font));
+    const engine::UserDirectoryNames names = engine::userDirectoryNames();
     findings.push_back(directoryFinding("cache", facts.cache,
-                                        "the built-in world is written anew by every run", "XDG_CACHE_HOME"));
-    findings.push_back(
-        directoryFinding("settings", facts.configuration, "settings are not kept", "XDG_CONFIG_HOME"));
+                                        "the built-in world is written anew by every run", names.cache,
+                                        names.cacheFallback));
+    findings.push_back(directoryFinding("settings", facts.configuration, "settings are not kept",
+                                        names.configuration, names.configurationFallback));
     findings.push_back(diskFinding(facts.cache));
     findings.push_back(filmFinding(facts.ffmpeg));
     return findings;

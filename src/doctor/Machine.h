@@ -14,7 +14,7 @@ namespace limen::doctor {
 
 /// A directory that Limen writes to.
 struct DirectoryFacts {
-    std::filesystem::path path; ///< empty: no directory is known, because HOME is not set
+    std::filesystem::path path; ///< empty: no directory is known, because a variable is not set
     std::string problem;        ///< the reason why it is not writable; empty: it is
     std::uint64_t bytes = 0;    ///< size of its files
     std::uint64_t freeBytes = 0;
@@ -25,6 +25,7 @@ struct DisplayFacts {
     std::string x11;      ///< the value of DISPLAY; empty: not set
     std::string wayland;  ///< the value of WAYLAND_DISPLAY; empty: not set
     bool answers = false; ///< the X server of `x11` accepts this process
+    std::string desktop = ""; ///< a desktop without X11 and Wayland; empty: there is none
 };
 
 struct MachineFacts {
@@ -36,6 +37,15 @@ struct MachineFacts {
     DirectoryFacts cache, configuration;
     std::filesystem::path ffmpeg; ///< empty: not found
 };
+
+/// The words for this system in findings.
+struct SystemWords {
+    const char *fontRemedy, *filmRemedy;
+};
+
+/// The display, the words and the variables of this system.
+[[nodiscard]] DisplayFacts queryDisplay();
+[[nodiscard]] SystemWords systemWords();
 
 /// Queries this computer and process. Creates a headless OpenGL context for a moment. Leaves no files.
 [[nodiscard]] MachineFacts queryMachine();

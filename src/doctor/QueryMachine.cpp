@@ -1,54 +1,16 @@
 #include "doctor/Machine.h"
+
+#include "core/platform/Environment.h"
+#include "core/platform/Files.h"
+#include "core/platform/Process.h"
 #include "engine/UserFiles.h"
 #include "gpu/device/HeadlessContext.h"
 #include "gpu/device/TextureMemory.h"
-
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <string_view>
-
-#include <unistd.h>
-#include <xcb/xcb.h>
 
 namespace limen::doctor {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string environmentText(const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr ? value : "";
-}
-
-bool answersAsXServer(const std::string& display) {
-    xcb_connection_t* connection = xcb_connect(display.c_str(), nullptr);
-    const bool answers = xcb_connection_has_error(connection) == 0;
-    xcb_disconnect(connection);
-    return answers;
-}
-
-/// A value of /proc/meminfo in bytes; 0 if it is missing.
-std::uint64_t memoryField(std::string_view name) {
-    std::ifstream in("/proc/meminfo");
-    std::string field, unit;
-    for (std::uint64_t kib = 0; in >> field >> kib; std::getline(in, unit))
-        if (field == name)
-            return kib * 1024;
-    return 0;
-}
-
-/// The reason why no file can be created in a directory; empty: one can.
-std::string writeProblem(const fs::path& directory) {
-    std::string pattern = (directory / ".limen-doctor-XXXXXX").string();
-    const int file = ::mkstemp(pattern.data());
-    if (file < 0)
-        return std::strerror(errno);
-    ::close(file);
-    ::unlink(pattern.c_str());
-    return "";
-}
 
 std::uint64_t sizeOfFiles(const fs::path& directory) {
     std::uint64_t bytes = 0;
@@ -76,7 +38,7 @@ DirectoryFacts queryDirectory(const fs::path& path) {
     if (!fs::is_directory(existing, error))
         facts.problem = existing.string() + " is not a directory";
     else
-        facts.problem = writeProblem(existing);
+        facts.problem = platform::writeProblem(existing);
     const fs::space_info space = fs::space(existing, error);
     if (!error)
         facts.freeBytes = space.available;
@@ -84,16 +46,9 @@ DirectoryFacts queryDirectory(const fs::path& path) {
 }
 
 fs::path findProgram(const std::string& name) {
-    const std::string paths = environmentText("PATH");
-    for (std::size_t at = 0; at <= paths.size();) {
-        const std::size_t end = std::min(paths.find(':', at), paths.size());
-        const fs::path program = fs::path(paths.substr(at, end - at)) / name;
-        std::error_code ignored;
-        if (program.is_absolute() && fs::is_regular_file(program, ignored) &&
-            ::access(program.c_str(), X_OK) == 0)
+    for (const fs::path& directory : platform::directoriesOf(platform::environmentVariable("PATH")))
+        if (fs::path program = directory / platform::programFileName(name); platform::isProgram(program))
             return program;
-        at = end + 1;
-    }
     return {};
 }
 
@@ -106,11 +61,11 @@ MachineFacts queryMachine() {
     } else {
         facts.driver = Failure(context.error());
     }
-    facts.memory = memoryField("MemTotal:");
-    facts.availableMemory = memoryField("MemAvailable:");
-    facts.display = {environmentText("DISPLAY"), environmentText("WAYLAND_DISPLAY"), false};
-    facts.display.answers = !facts.display.x11.empty() && answersAsXServer(facts.display.x11);
-    facts.font = engine::findFont(engine::fontPaths(engine::programPath())).value_or(fs::path());
+    const platform::Memory memory = platform::systemMemory();
+    facts.memory = memory.total.value_or(0);
+    facts.availableMemory = memory.available.value_or(0);
+    facts.display = queryDisplay();
+    facts.font = engine::findFont(engine::fontPaths(platform::programPath())).value_or(fs::path());
     facts.cache = queryDirectory(engine::cacheRoot());
     facts.configuration = queryDirectory(engine::configurationRoot());
     facts.ffmpeg = findProgram("ffmpeg");

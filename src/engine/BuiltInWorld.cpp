@@ -3,17 +3,17 @@
 #include "core/Assert.h"
 #include "core/Hash.h"
 #include "core/Interrupt.h"
+#include "core/platform/Files.h"
+#include "core/platform/Process.h"
+#include "engine/UserFiles.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <fmt/format.h>
 #include <fstream>
 #include <span>
-#include <unistd.h>
 #include <vector>
 
 namespace limen::engine {
@@ -63,12 +63,12 @@ void prune(const fs::path& root, const fs::path& current) {
 
 /// A new, empty directory in the system's temporary directory.
 Result<fs::path> temporaryDirectory() {
-    std::error_code error;
-    std::string pattern = (fs::temp_directory_path(error) / "limen-XXXXXX").string();
-    if (error || ::mkdtemp(pattern.data()) == nullptr)
-        return fail(ErrorCode::Unreadable, pattern,
-                    "the built-in world cannot be written here; set XDG_CACHE_HOME to a writable directory");
-    return fs::path(pattern);
+    const Result<fs::path> made = platform::makeTemporaryDirectory();
+    if (!made)
+        return fail(ErrorCode::Unreadable, made.error().where,
+                    fmt::format("the built-in world cannot be written here; set {} to a writable directory",
+                                userDirectoryNames().cache));
+    return *made;
 }
 
 Result<BuiltInWorld> writeTemporary(const WorldWriter& write) {
@@ -114,7 +114,7 @@ BuiltInWorld::~BuiltInWorld() {
 
 std::string programKey() {
     Hash hash;
-    std::ifstream program("/proc/self/exe", std::ios::binary);
+    std::ifstream program(platform::programBytes(), std::ios::binary);
     std::vector<char> chunk(1u << 20);
     while (program.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || program.gcount() > 0) {
         const auto got = static_cast<std::size_t>(program.gcount());
@@ -132,7 +132,7 @@ Result<BuiltInWorld> openBuiltInWorld(const fs::path& root, const std::string& k
     const fs::path place = root / key;
     if (isComplete(place))
         return BuiltInWorld(place, false);
-    const fs::path staging = root / fmt::format("{}.{}.tmp", key, ::getpid());
+    const fs::path staging = root / fmt::format("{}.{}.tmp", key, platform::processId());
     std::error_code error;
     removeQuietly(staging);
     fs::create_directories(staging, error);

@@ -41,9 +41,10 @@ struct SystemView {
     /// The entries of a directory in ascending order; empty if it cannot be read.
     std::function<std::vector<std::filesystem::path>(const std::filesystem::path&)> entries;
     std::function<bool(const std::filesystem::path&)> exists;
+    std::vector<std::filesystem::path> drives; ///< roots of disks; none on systems without drive letters
 };
 
-/// The directories that installers of the game use, on drive C and in the user's Wine prefixes (Wine, Lutris,
+/// The directories that installers of the game use, on every drive and in the user's Wine prefixes (Wine, Lutris,
 /// Bottles, Steam, PlayOnLinux). Only directories that exist, in order of likelihood, each once.
 [[nodiscard]] std::vector<std::filesystem::path> knownGameDirectories(const SystemView& system);
 /// The same on this system.

@@ -1,9 +1,9 @@
 #include "engine/FrameMemory.h"
 
+#include "core/platform/Process.h"
+
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
-#include <fstream>
 #include <string>
 
 namespace limen::engine {
@@ -28,27 +28,8 @@ FrameMemory frameMemory(PixelSize size, std::uint32_t samples) {
     return {pixels * (kPlainTarget + sampled), pixels * kHostCopies};
 }
 
-std::optional<std::uint64_t> availableIn(std::string_view meminfo) {
-    constexpr std::string_view kName = "MemAvailable:";
-    const std::size_t line = meminfo.find(kName);
-    if (line == std::string_view::npos)
-        return {};
-    const std::size_t digits = meminfo.find_first_not_of(' ', line + kName.size());
-    if (digits == std::string_view::npos)
-        return {};
-    std::uint64_t kibibytes = 0;
-    const auto [end, error] =
-        std::from_chars(meminfo.data() + digits, meminfo.data() + meminfo.size(), kibibytes);
-    constexpr std::uint64_t kMost = std::uint64_t{1} << 50;
-    if (error != std::errc{} || kibibytes > kMost)
-        return {};
-    return kibibytes * 1024;
-}
-
 std::optional<std::uint64_t> availableMemory() {
-    std::ifstream file("/proc/meminfo");
-    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    return availableIn(text);
+    return platform::systemMemory().available;
 }
 
 Result<void> checkMemory(std::string_view option, std::string_view subject, std::uint64_t needed,

@@ -18,8 +18,6 @@ struct FrameMemory {
 /// `samples`: per pixel, 0 and 1: one. Above one, a second target serves ids and depth.
 [[nodiscard]] FrameMemory frameMemory(PixelSize size, std::uint32_t samples);
 
-/// The bytes of "MemAvailable" in the text of /proc/meminfo; none: the line is missing or malformed.
-[[nodiscard]] std::optional<std::uint64_t> availableIn(std::string_view meminfo);
 /// Bytes of main memory that the system can give to programs without swapping; none: unknown.
 [[nodiscard]] std::optional<std::uint64_t> availableMemory();
 

@@ -1,8 +1,9 @@
 #include "engine/DatDirectory.h"
 
+#include "core/platform/Environment.h"
+
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 
 namespace limen::engine {
 namespace {
@@ -68,10 +69,9 @@ Paths knownGameDirectories(const SystemView& system) {
         if (const std::string folder = system.environment(variable); !folder.empty())
             for (const char* install : kInstallPaths)
                 consider(fs::path(folder) / install);
-#ifdef _WIN32
-    for (const fs::path& path : onDrive("C:/"))
-        consider(path);
-#endif
+    for (const fs::path& drive : system.drives)
+        for (const fs::path& path : onDrive(drive))
+            consider(path);
     for (const fs::path& prefix : winePrefixes(system))
         for (const char* drive : {"drive_c", "pfx/drive_c"}) // Steam keeps its prefix in pfx
             if (system.exists(prefix / drive))
@@ -85,10 +85,6 @@ Paths knownGameDirectories(const SystemView& system) {
 }
 
 Paths knownGameDirectories() {
-    const auto environment = [](const char* name) {
-        const char* value = std::getenv(name);
-        return std::string(value == nullptr ? "" : value);
-    };
     const auto entries = [](const fs::path& directory) {
         Paths paths;
         std::error_code error;
@@ -101,7 +97,8 @@ Paths knownGameDirectories() {
         std::error_code error;
         return fs::is_directory(path, error);
     };
-    return knownGameDirectories(SystemView{environment("HOME"), environment, entries, exists});
+    return knownGameDirectories(SystemView{platform::homeDirectory(), platform::environmentVariable, entries,
+                                           exists, platform::driveRoots()});
 }
 
 } // namespace limen::engine

@@ -17,8 +17,8 @@ enum class FilmFormat : std::uint8_t { Mp4, Webm, Gif, Webp };
 /// the name of the package.
 [[nodiscard]] Result<std::filesystem::path> findFfmpeg(std::string_view searchPath);
 
-/// A film that is written frame by frame by an ffmpeg process. ffmpeg writes into a file without a name; only
-/// `finish` gives it the name of the film. Therefore no failure and no signal leaves a half film.
+/// A film that is written frame by frame by an ffmpeg process. ffmpeg writes into a file without a name (on Windows
+/// a hidden one); only `finish` gives it the name of the film. Therefore no failure and no signal leaves a half film.
 class Film {
 public:
     /// Starts ffmpeg. `framesPerSecond` > 0. Sides of mp4 and webm are cut to even numbers of pixels. Errors:
@@ -36,9 +36,9 @@ public:
     [[nodiscard]] Result<void> finish();
 
 private:
-    struct Process;
-    explicit Film(std::unique_ptr<Process> process);
-    std::unique_ptr<Process> process_;
+    struct Work;
+    explicit Film(std::unique_ptr<Work> work);
+    std::unique_ptr<Work> work_;
 };
 
 } // namespace limen::output

@@ -1,16 +1,15 @@
 #include "output/OutputFile.h"
 
 #include "core/Interrupt.h"
+#include "core/platform/Files.h"
+#include "core/platform/Process.h"
 #include "output/Encode.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <memory>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace limen::output {
 namespace {
@@ -27,9 +26,9 @@ std::string reason(int error) {
 
 /// The reason and the next step.
 std::string notWritten(int error) {
-    const char* next = error == ENOSPC || error == EDQUOT ? "free some space"
-                       : error == ENOENT                  ? "make the directory first"
-                                         : "choose another directory, or check its permissions";
+    const char* next = platform::isDiskFull(error) ? "free some space"
+                       : error == ENOENT           ? "make the directory first"
+                                                   : "choose another directory, or check its permissions";
     return fmt::format("cannot be written: {}; {}", reason(error), next);
 }
 
@@ -61,24 +60,38 @@ public:
     [[nodiscard]] bool close() {
         const int fd = fd_;
         fd_ = -1;
-        return fd < 0 || ::close(fd) == 0;
+        return fd < 0 || platform::closeFile(fd);
     }
 
 private:
     int fd_;
 };
 
+/// The beginning of a file name: systems limit its length. No character is cut in two.
+std::string shortened(std::string name) {
+    constexpr std::size_t kMost = 200; // bytes
+    if (name.size() > kMost) {
+        std::size_t end = kMost;
+        while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0u) == 0x80u)
+            --end;
+        name.resize(end);
+    }
+    return name;
+}
+
 /// A new file beside `path`. The destructor removes it unless it was moved into place.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const fs::path& path)
         : name_(path.parent_path() /
-                fmt::format(".{}.{}.tmp", path.filename().string().substr(0, 200), ::getpid())),
-          file_(::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)),
-          present_(file_.isOpen()) {}
+                fmt::format(".{}.{}.tmp", shortened(path.filename().string()), platform::processId())),
+          file_(platform::createFile(name_)), present_(file_.isOpen()) {}
     ~TemporaryFile() {
-        if (present_)
-            (void)::unlink(name_.c_str());
+        if (!present_)
+            return;
+        (void)file_.close(); // Windows removes no open file
+        std::error_code ignored;
+        fs::remove(name_, ignored);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -86,7 +99,7 @@ public:
     [[nodiscard]] bool made() const { return present_; }
     [[nodiscard]] Descriptor& file() { return file_; }
     [[nodiscard]] bool moveTo(const fs::path& path) {
-        present_ = ::rename(name_.c_str(), path.c_str()) != 0;
+        present_ = !platform::replaceFile(name_, path);
         return !present_;
     }
 
@@ -98,7 +111,7 @@ private:
 
 bool writeAll(int fd, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+        const std::ptrdiff_t written = platform::writeSome(fd, bytes);
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0)
@@ -123,7 +136,7 @@ Result<void> checkWritable(const fs::path& path) {
     if (fs::is_directory(path, ignored))
         return refused(path, "is a directory, not a file to write; add a file name");
     const fs::path place = target(path);
-    if (fs::exists(place, ignored) && ::access(place.c_str(), W_OK) != 0)
+    if (fs::exists(place, ignored) && !platform::isWritable(place))
         return refused(path, notWritten(errno));
     if (isDeviceOrPipe(place))
         return {};
@@ -136,7 +149,7 @@ Result<void> checkWritable(const fs::path& path) {
 Result<void> writeFile(const fs::path& path, std::span<const std::byte> bytes) {
     const fs::path place = target(path);
     if (isDeviceOrPipe(place)) {
-        Descriptor device(::open(place.c_str(), O_WRONLY | O_CLOEXEC));
+        Descriptor device(platform::openDevice(place));
         if (!device.isOpen() || !writeAll(device.get(), bytes) || !device.close())
             return refused(path, notWritten(errno));
         return {};
@@ -181,7 +194,7 @@ Result<std::string> readTextFile(const fs::path& path, std::size_t limit) {
     std::error_code error;
     if (fs::is_directory(path, error))
         return refused(path, "is a directory, not a file to read; add a file name");
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(platform::openFile(path, "rb"), &std::fclose);
     if (!file)
         return refused(path,
                        fmt::format("cannot be read: {}; check its name and permissions", reason(errno)));

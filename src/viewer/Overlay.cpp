@@ -1,5 +1,6 @@
 #include "viewer/Overlay.h"
 
+#include "core/platform/Process.h"
 #include "engine/UserFiles.h"
 #include "viewer/Style.h"
 
@@ -38,7 +39,7 @@ struct Overlay::OverTexture {
 
 Overlay::Overlay(const Window& window)
     : over_(std::make_unique<OverTexture>()), window_(window),
-      font_(engine::findFont(engine::fontPaths(engine::programPath()))) {
+      font_(engine::findFont(engine::fontPaths(platform::programPath()))) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;                // no file of window positions

@@ -1,11 +1,12 @@
 #include "viewer/Recording.h"
 
+#include "core/platform/Files.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
+#include <span>
 
 namespace limen::viewer {
 namespace {
@@ -18,12 +19,12 @@ std::size_t countLines(std::string_view text) {
 
 Recording::~Recording() {
     if (descriptor_ >= 0)
-        ::close(descriptor_);
+        (void)platform::closeFile(descriptor_);
 }
 
 Result<void> Recording::open(const std::filesystem::path& file) {
     file_ = std::filesystem::absolute(file);
-    descriptor_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    descriptor_ = platform::createFile(file);
     if (descriptor_ < 0)
         return fail(ErrorCode::Unreadable, file_.string(),
                     fmt::format("cannot be written: {}", std::strerror(errno)));
@@ -39,7 +40,8 @@ Result<void> Recording::add(const std::string& lines) {
 Result<void> Recording::flush() {
     std::size_t written = 0;
     while (written < waiting_.size()) {
-        const ssize_t count = ::write(descriptor_, waiting_.data() + written, waiting_.size() - written);
+        const std::ptrdiff_t count =
+            platform::writeSome(descriptor_, std::as_bytes(std::span(waiting_).subspan(written)));
         if (count < 0 && errno == EINTR)
             continue;
         if (count <= 0)
@@ -57,8 +59,7 @@ Result<void> Recording::flush() {
     tried_ = waiting_.size();
     if (isComplete)
         return {};
-    if (::ftruncate(descriptor_, length_) == 0) // fails on devices, which keep nothing
-        ::lseek(descriptor_, length_, SEEK_SET);
+    (void)platform::cutFile(descriptor_, length_); // fails on devices, which keep nothing
     return fail(ErrorCode::Unreadable, file_.string(),
                 fmt::format("cannot be written: {}; {} of {} lines are saved", std::strerror(reason), saved_,
                             lines_));
@@ -68,7 +69,7 @@ Result<void> Recording::close() {
     if (descriptor_ < 0)
         return {};
     Result<void> flushed = flush();
-    ::close(descriptor_);
+    (void)platform::closeFile(descriptor_);
     descriptor_ = -1;
     return flushed;
 }

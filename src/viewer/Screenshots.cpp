@@ -1,5 +1,6 @@
 #include "viewer/Screenshots.h"
 
+#include "core/platform/Files.h"
 #include "output/OutputFile.h"
 
 #include <algorithm>
@@ -38,7 +39,7 @@ std::uint32_t nextNumber(const fs::path& directory) {
 
 /// Creates an empty file. Returns false if it exists.
 Result<bool> make(const fs::path& path) {
-    std::FILE* file = std::fopen(path.c_str(), "wbx");
+    std::FILE* file = platform::openFile(path, "wbx");
     if (file == nullptr && errno == EEXIST)
         return false;
     if (file == nullptr)

@@ -6,7 +6,7 @@
 
 namespace limen::viewer {
 
-/// The signals that ask the program to end: SIGINT, SIGTERM, SIGHUP. While the object lives they are blocked and
+/// The signals that ask the program to end: SIGINT, SIGTERM, SIGHUP; on Windows the events of the console. While the object lives they are blocked and
 /// wait until the frame loop reads them, so that files can be saved. Make it before any thread starts: threads
 /// inherit the mask.
 class Signals {

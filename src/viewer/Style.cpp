@@ -106,8 +106,8 @@ bool applyFont(const std::optional<fs::path>& file, float pixels) {
     ImFontConfig config;
     config.OversampleH = 2;
     config.OversampleV = 1;
-    if (file &&
-        atlas.AddFontFromFileTTF(file->c_str(), std::round(pixels), &config, kGlyphs.data()) != nullptr)
+    if (file && atlas.AddFontFromFileTTF(file->string().c_str(), std::round(pixels), &config,
+                                         kGlyphs.data()) != nullptr)
         return true;
     ImFontConfig own;
     own.SizePixels = std::round(pixels * 13.0f / kLetterSize); // ImGui's own font is made for 13 pixels

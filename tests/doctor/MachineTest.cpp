@@ -26,7 +26,7 @@ MachineFacts goodMachine() {
     facts.textureMemory = 4 * kGiB;
     facts.memory = 16 * kGiB;
     facts.availableMemory = 8 * kGiB;
-    facts.display = {":0", "", true};
+    facts.display = {":0", "", true, ""};
     facts.font = "/fonts/font.ttf";
     facts.cache = {"/home/me/.cache/limen", "", 1000, 100 * kGiB};
     facts.configuration = {"/home/me/.config/limen", "", 0, 100 * kGiB};
@@ -113,6 +113,13 @@ TEST(Machine, smallThingsAreWarnings) {
         EXPECT_EQ(findingOf(facts, check).outcome, Outcome::Warning) << check;
     facts.cache.freeBytes = 1000;
     EXPECT_EQ(findingOf(facts, "disk").outcome, Outcome::Failed);
+}
+
+TEST(Machine, aDesktopWithoutX11IsOk) {
+    MachineFacts facts = goodMachine();
+    facts.display = {"", "", false, "the desktop of a system"};
+    EXPECT_EQ(findingOf(facts, "display").outcome, Outcome::Ok);
+    EXPECT_EQ(findingOf(facts, "display").text, "the desktop of a system");
 }
 
 TEST(QueryDirectory, reportsSizeAndWritability) {

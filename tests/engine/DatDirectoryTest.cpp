@@ -104,6 +104,7 @@ TEST_F(DatDirectoryTest, aTruncatedFileIsNamedWhenTheWorldOpens) {
 struct ImaginarySystem {
     std::set<fs::path> directories;
     std::map<std::string, std::string> variables;
+    std::vector<fs::path> drives;
 
     void add(const fs::path& path) {
         for (fs::path p = path; p.has_relative_path(); p = p.parent_path())
@@ -122,9 +123,18 @@ struct ImaginarySystem {
                             entries.push_back(directory);
                     return entries;
                 },
-                [this](const fs::path& path) { return directories.contains(path); }};
+                [this](const fs::path& path) { return directories.contains(path); }, drives};
     }
 };
+
+TEST(KnownGameDirectories, areThoseOfInstallersOnEveryDrive) {
+    ImaginarySystem system;
+    const fs::path first = "/c/Turbine/Asheron's Call", second = "/d/Games/AC";
+    system.drives = {"/c", "/d"};
+    for (const fs::path& path : {first, second})
+        system.add(path);
+    EXPECT_EQ(knownGameDirectories(system.view()), (std::vector<fs::path>{first, second}));
+}
 
 TEST(KnownGameDirectories, areThoseOfInstallersInWinePrefixes) {
     ImaginarySystem system;

@@ -13,13 +13,6 @@ TEST(FrameMemory, growsWithPixelsAndSamples) {
     EXPECT_GT(one.host, 3'000'000u);
 }
 
-TEST(FrameMemory, readsTheFreeMemory) {
-    EXPECT_EQ(availableIn("MemTotal:  100 kB\nMemAvailable:     2048 kB\n"), 2048u * 1024u);
-    for (const char* text : {"", "MemTotal: 5 kB", "MemAvailable:", "MemAvailable: x kB",
-                             "MemAvailable: 99999999999999999999999 kB"})
-        EXPECT_EQ(availableIn(text), std::nullopt) << text;
-}
-
 TEST(FrameMemory, refusesMoreThanIsFree) {
     EXPECT_TRUE(checkMemory("--size", "a picture", 100, 100));
     EXPECT_TRUE(checkMemory("--size", "a picture", 100, std::nullopt));

@@ -1,6 +1,7 @@
 #include "cli/Choices.h"
 #include "cli/world/WorldVerbs.h"
 #include "core/NumberText.h"
+#include "core/platform/Environment.h"
 #include "engine/DatDirectory.h"
 #include "output/OutputFile.h"
 #include "placements/Import.h"
@@ -10,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <memory>
@@ -61,9 +61,9 @@ Result<placements::Content> readSources(const WorldImportArguments& arguments, c
         return !console.interrupt().isRequested();
     };
     if (placements::isServerUrl(arguments.sources.front())) {
-        const char* password = std::getenv("MYSQL_PWD");
         return placements::importServer(
-            {arguments.sources.front(), password != nullptr ? password : "", arguments.optionFile}, progress);
+            {arguments.sources.front(), platform::environmentVariable("MYSQL_PWD"), arguments.optionFile},
+            progress);
     }
     return placements::importSqlFiles({arguments.sources.begin(), arguments.sources.end()}, progress);
 }

@@ -1,13 +1,13 @@
 #include "engine/places/FoundPlaces.h"
 
 #include "core/Hash.h"
+#include "core/platform/Process.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
-#include <unistd.h>
 
 namespace limen::engine {
 namespace {
@@ -97,7 +97,7 @@ void writeCached(const fs::path& path, const world::WorldFile& file) {
         value["places"].push_back(jsonOf(place));
     for (const world::Place& place : file.tour)
         value["tour"].push_back(jsonOf(place));
-    const fs::path staging = path.string() + fmt::format(".{}", ::getpid());
+    const fs::path staging = path.string() + fmt::format(".{}", platform::processId());
     bool isWritten = false;
     {
         std::ofstream out(staging, std::ios::binary);

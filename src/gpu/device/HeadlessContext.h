@@ -8,11 +8,11 @@ namespace limen::gpu {
 enum class ContextProfile { Core, Compatibility };
 
 /// OpenGL 4.5 context without window or display, current on the creating thread until it is destroyed or
-/// another context is made current. Uses EGL: Mesa's surfaceless platform, else the first device with a
-/// context. The only code in this room that depends on Linux.
+/// another context is made current. On Linux it uses EGL: Mesa's surfaceless platform, else the first device with a
+/// context. On Windows it uses WGL and a window that is never shown. Only this code depends on the system.
 class HeadlessContext {
 public:
-    /// `debug`: create a debug context (see DebugOutput). Errors: Driver, with EGL's last error.
+    /// `debug`: create a debug context (see DebugOutput). Errors: Driver, with the last error of EGL or Windows.
     [[nodiscard]] static Result<HeadlessContext> create(bool debug = false,
                                                         ContextProfile profile = ContextProfile::Core);
     HeadlessContext(HeadlessContext&& other) noexcept;
@@ -24,8 +24,9 @@ public:
 
 private:
     HeadlessContext(void* display, void* context) : display_(display), context_(context) {}
-    void* display_ = nullptr; // EGLDisplay; shared by the process and never terminated
-    void* context_ = nullptr; // EGLContext
+    void* display_ =
+        nullptr; // EGLDisplay, shared by the process and never terminated; or a window of its own
+    void* context_ = nullptr; // EGLContext or HGLRC
 };
 
 } // namespace limen::gpu

@@ -21,6 +21,14 @@ Failure damaged(const std::filesystem::path& path, archive* open) {
                 std::string("cannot be read as an archive: ") + (reason != nullptr ? reason : "unknown"));
 }
 
+/// The letters of a path are char, or wchar_t on Windows.
+[[maybe_unused]] int openNamed(archive* archive, const char* name, std::size_t block) {
+    return archive_read_open_filename(archive, name, block);
+}
+[[maybe_unused]] int openNamed(archive* archive, const wchar_t* name, std::size_t block) {
+    return archive_read_open_filename_w(archive, name, block);
+}
+
 } // namespace
 
 Result<void>
@@ -32,7 +40,7 @@ readArchive(const std::filesystem::path& path,
         return fail(ErrorCode::Unsupported, path.string(), "libarchive cannot be used");
     archive_read_support_filter_all(open.get());
     archive_read_support_format_all(open.get());
-    if (archive_read_open_filename(open.get(), path.c_str(), kBlock) != ARCHIVE_OK)
+    if (openNamed(open.get(), path.c_str(), kBlock) != ARCHIVE_OK)
         return damaged(path, open.get());
     std::error_code ignored;
     const std::uint64_t most = kMostUnpacked * std::filesystem::file_size(path, ignored) + kAlwaysUnpacked;

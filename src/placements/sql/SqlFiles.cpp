@@ -1,6 +1,7 @@
 #include "placements/sql/SqlFiles.h"
 
 #include "core/Assert.h"
+#include "core/platform/Files.h"
 #include "placements/Tables.h"
 #include "placements/sql/SqlArchive.h"
 #include "placements/sql/Text.h"
@@ -83,7 +84,7 @@ struct Closed {
 };
 
 Result<void> readFile(const fs::path& path, const SqlFile& file, const ReadSqlFile& read) {
-    const std::unique_ptr<std::FILE, Closed> stream(std::fopen(path.c_str(), "rb"));
+    const std::unique_ptr<std::FILE, Closed> stream(platform::openFile(path, "rb"));
     if (stream == nullptr)
         return fail(ErrorCode::Unreadable, path.string(), std::strerror(errno));
     return read(file, [&](std::span<char> buffer) -> Result<std::size_t> {

@@ -83,7 +83,8 @@ Result<Sqlite> Sqlite::open(const std::filesystem::path& path, Mode mode) {
     Sqlite opened;
     opened.where_ = path.string();
     sqlite3* database = nullptr;
-    const int status = sqlite3_open_v2(path.c_str(), &database, flags | SQLITE_OPEN_FULLMUTEX, nullptr);
+    const int status =
+        sqlite3_open_v2(opened.where_.c_str(), &database, flags | SQLITE_OPEN_FULLMUTEX, nullptr);
     opened.database_.reset(database);
     if (database == nullptr)
         return fail(ErrorCode::Unsupported, path.string(), "SQLite has no memory");

@@ -1,12 +1,12 @@
+#include "core/platform/Files.h"
+#include "core/platform/Process.h"
 #include "placements/WorldDb.h"
 #include "placements/store/ContentHash.h"
 #include "placements/store/ContentWriter.h"
 #include "placements/store/Schema.h"
 #include "placements/store/Sqlite.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <unordered_map>
 
 namespace limen::placements {
@@ -60,7 +60,7 @@ Result<std::optional<Known>> knownAt(const fs::path& path) {
 class PartFile {
 public:
     explicit PartFile(fs::path place)
-        : place_(std::move(place)), part_(place_.string() + fmt::format(".part-{}", getpid())) {
+        : place_(std::move(place)), part_(place_.string() + fmt::format(".part-{}", platform::processId())) {
         std::error_code ignored;
         fs::remove(part_, ignored); // of a process that was killed
     }
@@ -84,11 +84,7 @@ public:
 
     /// Writes all bytes to the disk, then gives the file its name.
     Result<void> rename() {
-        const int descriptor = ::open(part_.c_str(), O_RDONLY | O_CLOEXEC);
-        const bool isSafe = descriptor >= 0 && fsync(descriptor) == 0;
-        if (descriptor >= 0)
-            close(descriptor);
-        if (!isSafe)
+        if (!platform::flushToDisk(part_))
             return unwritable("its bytes cannot be written to the disk");
         std::error_code error;
         fs::rename(part_, place_, error);

@@ -30,7 +30,7 @@ std::string expandHome(const std::string& typed, const std::string& home) {
     std::string text = typed.substr(first, last - first + 1);
     if (text[0] == '~' && (text.size() == 1 || text[1] == '/') && !home.empty())
         return home + text.substr(1);
-    return text;
+    return fs::path(text).generic_string(); // '/' also where the system writes another separator
 }
 
 std::string parentOf(const std::string& typed, const std::string& home) {
@@ -89,8 +89,10 @@ std::string absoluteDirectory(const std::string& directory) {
         return {};
     std::error_code error;
     const fs::path whole = fs::absolute(directory, error).lexically_normal();
-    const std::string text = error ? directory : whole.string();
-    return text.size() > 1 && text.back() == '/' ? text.substr(0, text.size() - 1) : text;
+    if (error)
+        return directory;
+    const bool endsWithSeparator = !whole.has_filename() && whole.has_relative_path();
+    return (endsWithSeparator ? whole.parent_path() : whole).string();
 }
 
 std::string nameOfWorld(const std::string& directory) {

@@ -1,10 +1,10 @@
 #include "viewer/pages/OpenPage.h"
 
+#include "core/platform/Environment.h"
 #include "viewer/Style.h"
 #include "viewer/open/PathCompletion.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <imgui.h>
 
@@ -12,8 +12,7 @@ namespace limen::viewer {
 namespace {
 
 std::string homeDirectory() {
-    const char* home = std::getenv("HOME");
-    return home != nullptr ? home : "";
+    return platform::homeDirectory().generic_string();
 }
 
 /// Completes the text at the cursor when Tab is pressed.

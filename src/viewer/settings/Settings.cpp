@@ -1,6 +1,7 @@
 #include "viewer/settings/Settings.h"
 
 #include "engine/Quality.h"
+#include "engine/UserFiles.h"
 #include "output/OutputFile.h"
 #include "viewer/KeyBindings.h"
 
@@ -238,7 +239,8 @@ SettingsFile readSettings(const fs::path& file) {
 Result<void> writeSettings(const fs::path& file, const Settings& settings) {
     if (file.empty())
         return fail(ErrorCode::Unreadable, "settings",
-                    "no configuration directory to save them in; set XDG_CONFIG_HOME");
+                    fmt::format("no configuration directory to save them in; set {}",
+                                engine::userDirectoryNames().configuration));
     if (Result<void> made = output::makeDirectory(file.parent_path()); !made)
         return made;
     return output::writeFile(file, std::string_view(settingsText(settings, textOf(file))));

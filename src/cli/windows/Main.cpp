@@ -1,0 +1,54 @@
+#include "cli/Verbs.h"
+#include "cli/windows/ConsoleWindow.h"
+#include "core/platform/windows/Text.h"
+#include "engine/UserFiles.h"
+
+#include <cstdlib>
+#include <fcntl.h>
+#include <io.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+/// Files and streams have the bytes that were written, as on other systems.
+void setBinary() {
+    _fmode = _O_BINARY;
+    for (std::FILE* file : {stdin, stdout, stderr})
+        if (_fileno(file) >= 0)
+            _setmode(_fileno(file), _O_BINARY);
+    // The C library of Windows has no buffer for lines.
+    (void)std::setvbuf(stderr, nullptr, _IONBF, 0);
+}
+
+limen::cli::Exit run(const std::vector<std::string>& arguments) {
+    std::vector<const char*> argv;
+    for (const std::string& argument : arguments)
+        argv.push_back(argument.c_str());
+    const limen::cli::Console console(stdout, stderr, limen::Interrupt::install());
+    const limen::cli::Exit exit = limen::cli::runProgram(static_cast<int>(argv.size()), argv.data(), console);
+    if (exit == limen::cli::Exit::Interrupted && console.interrupt().isRequested())
+        console.interrupt().die();
+    return exit;
+}
+
+} // namespace
+
+extern "C" int wmain(int count, wchar_t** texts) {
+    std::vector<std::string> arguments;
+    for (int i = 0; i < count; ++i)
+        arguments.push_back(limen::platform::narrowText(texts[i]));
+    setBinary();
+    const bool opensWindow = arguments.size() <= 1 || arguments[1] == "view";
+    if (!opensWindow || !limen::cli::isWithoutReader()) {
+        const limen::cli::ConsoleWindow console;
+        return static_cast<int>(run(arguments));
+    }
+    const std::filesystem::path messages = limen::engine::cacheRoot().parent_path() / "messages.txt";
+    limen::cli::leaveConsole(messages);
+    const limen::cli::Exit exit = run(arguments);
+    if (exit == limen::cli::Exit::Impossible)
+        limen::cli::showMessages(messages);
+    return static_cast<int>(exit);
+}
