@@ -330,7 +330,8 @@ std::string onlyComments(std::string_view text, bool isScript) {
 /// The faults of a source file, a script or a CMake file.
 std::vector<std::string> faultsOfCode(const std::string& path, std::string_view text,
                                       const Repository& repository) {
-    const bool isScript = !endsWithAny(path, kSourceEndings);
+    const bool isScript = !endsWithAny(path, kSourceEndings) &&
+                          path.find(".rc") == std::string::npos; // as C: resources of Windows
     const std::vector<std::string> lines = linesOf(text);
     const std::vector<std::string> comments = linesOf(onlyComments(text, isScript));
     const auto behind = [](const std::vector<std::string>& all, std::size_t i, const Token& token) {

@@ -1,6 +1,6 @@
 #include "support/LoadTestWorld.h"
 
-#include <chrono>
+#include <ctime>
 #include <gmock/gmock.h>
 
 namespace limen::world {
@@ -84,16 +84,16 @@ TEST(Zones, aLargeDungeonIsOneZoneAndLoadsQuickly) {
     ASSERT_TRUE(source.write(directory.path()));
     const auto archive = dat::Archive::open(directory.path());
     ASSERT_TRUE(archive);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock(); // processor time: the machine may be busy
     const auto world = loadWorld(*archive, source.home(), {});
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    const double taken = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     ASSERT_TRUE(world);
     EXPECT_EQ(world->spaces.size(), 1u + kSide * kSide);
     EXPECT_EQ(world->zones.size(), 2u);
     EXPECT_TRUE(world->findings.empty())
         << world->findings.size() << " findings, first: " << world->findings.front().what;
-    RecordProperty("seconds", std::to_string(taken.count()));
-    EXPECT_LT(taken.count(), 20.0) << "loading has become quadratic";
+    RecordProperty("seconds", std::to_string(taken));
+    EXPECT_LT(taken, 20.0) << "loading has become quadratic";
 }
 
 } // namespace
