@@ -94,8 +94,9 @@ struct RealPath {
 };
 
 RealPath realPathOf(const fs::path& path) {
-    RealPath real;
-    for (const fs::path& part : path.lexically_normal()) {
+    const fs::path normal = path.lexically_normal();
+    RealPath real{normal.root_path(), {}}; // a drive without its slash is no directory
+    for (const fs::path& part : normal.relative_path()) {
         if (part.empty() || !real.rest.empty()) {
             real.rest /= part;
             continue;
