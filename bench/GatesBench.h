@@ -12,7 +12,7 @@ namespace limen::bench {
 /// Compares the gates (docs/gates.md) at 64 way points of the built-in world's tour, at 640×360, by both ways of
 /// drawing. Writes the built-in world to the system's temporary directory and removes it.
 [[nodiscard]] std::vector<BenchRow> benchGates(AllocationCounter counter = nullptr);
-/// The same at 64 way points of the tour through the world in a directory; a tour is made for a world that has none.
+/// The same at 64 way points of the tour through the world in a directory. A world without world.json gets a tour.
 [[nodiscard]] std::vector<BenchRow> benchGatesOver(const std::string& dat);
 
 } // namespace limen::bench
