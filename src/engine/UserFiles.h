@@ -7,7 +7,7 @@
 // Files and directories of the user and of the system, found from the environment.
 namespace limen::engine {
 
-/// $XDG_CACHE_HOME, else $HOME/.cache, with "limen" added; on Windows limen\cache in %LOCALAPPDATA%. Empty if the variables are
+/// $XDG_CACHE_HOME, else $HOME/.cache, with "limen" added; on Windows limen/cache in %LOCALAPPDATA%. Empty if the variables are
 /// no absolute paths.
 [[nodiscard]] std::filesystem::path cacheRoot();
 /// The directory of the user's settings: $XDG_CONFIG_HOME, else $HOME/.config, with "limen" added; on Windows
