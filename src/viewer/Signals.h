@@ -26,7 +26,9 @@ private:
 };
 
 /// The exit code after a signal: 128 and its number, as shells report it.
-[[nodiscard]] int exitCodeOf(int signal);
+[[nodiscard]] constexpr int exitCodeOf(int signal) {
+    return 128 + signal;
+}
 [[nodiscard]] std::string_view nameOfSignal(int signal);
 
 } // namespace limen::viewer

@@ -35,10 +35,6 @@ std::optional<int> Signals::arrived() {
     return arrived_;
 }
 
-int exitCodeOf(int signal) {
-    return 128 + signal;
-}
-
 std::string_view nameOfSignal(int signal) {
     return signal == SIGINT ? "SIGINT" : signal == SIGTERM ? "SIGTERM" : "SIGHUP";
 }

@@ -42,10 +42,6 @@ std::optional<int> Signals::arrived() {
     return arrived_;
 }
 
-int exitCodeOf(int signal) {
-    return 128 + signal;
-}
-
 std::string_view nameOfSignal(int signal) {
     return signal == kInterrupt ? "Ctrl-C" : signal == kTerminate ? "Ctrl-Break" : "the end of the session";
 }
