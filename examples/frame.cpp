@@ -13,7 +13,8 @@ namespace engine = limen::engine;
 
 namespace {
 
-limen::Result<void> writePng(const std::string& file, const engine::FrameDescription& frame, const std::vector<std::uint8_t>& rgba) {
+limen::Result<void> writePng(const std::string& file, const engine::FrameDescription& frame,
+                             const std::vector<std::uint8_t>& rgba) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = frame.width;
@@ -24,7 +25,8 @@ limen::Result<void> writePng(const std::string& file, const engine::FrameDescrip
     return {};
 }
 
-limen::Result<void> drawFrame(const std::string& place, const std::string& directory, const std::string& file) {
+limen::Result<void> drawFrame(const std::string& place, const std::string& directory,
+                              const std::string& file) {
     const auto world = engine::OpenedWorld::open(directory);
     if (!world)
         return limen::Failure(world.error());
@@ -41,8 +43,8 @@ limen::Result<void> drawFrame(const std::string& place, const std::string& direc
     const auto middle = drawer->surfaceAt(frame.width / 2, frame.height / 2);
     if (!middle)
         return limen::Failure(middle.error());
-    std::printf("%u visits, %u instances drawn; in the middle: %s of space %s, %.2f m away\n", counts->visits, counts->instances,
-                middle->kind.c_str(), middle->space.c_str(), middle->distance);
+    std::printf("%u visits, %u instances drawn; in the middle: %s of space %s, %.2f m away\n", counts->visits,
+                counts->instances, middle->kind.c_str(), middle->space.c_str(), middle->distance);
     if (file.empty())
         return {};
     const auto colour = drawer->readColour();
@@ -52,7 +54,8 @@ limen::Result<void> drawFrame(const std::string& place, const std::string& direc
 } // namespace
 
 int main(int argc, char** argv) {
-    const auto drawn = drawFrame(argc > 1 ? argv[1] : "inn.hall", argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
+    const auto drawn =
+        drawFrame(argc > 1 ? argv[1] : "inn.hall", argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
     if (!drawn)
         std::fprintf(stderr, "frame: %s\n", drawn.error().message().c_str());
     return drawn ? 0 : 2;

@@ -31,9 +31,10 @@ GLuint compile(GLenum kind, const char* source) {
 /// Makes the program of an orange triangle, and binds it.
 void bindTriangle() {
     const GLuint program = glCreateProgram();
-    glAttachShader(program, compile(GL_VERTEX_SHADER, "#version 450\n"
-                                                      "const vec2 kCorners[] = {{-0.9, -0.9}, {-0.6, -0.9}, {-0.75, -0.5}};\n"
-                                                      "void main() { gl_Position = vec4(kCorners[gl_VertexID], 0, 1); }\n"));
+    glAttachShader(program, compile(GL_VERTEX_SHADER,
+                                    "#version 450\n"
+                                    "const vec2 kCorners[] = {{-0.9, -0.9}, {-0.6, -0.9}, {-0.75, -0.5}};\n"
+                                    "void main() { gl_Position = vec4(kCorners[gl_VertexID], 0, 1); }\n"));
     glAttachShader(program, compile(GL_FRAGMENT_SHADER, "#version 450\n"
                                                         "layout(location = 0) out vec4 colour;\n"
                                                         "void main() { colour = vec4(1, 0.5, 0, 1); }\n"));
@@ -63,7 +64,8 @@ limen::Result<void> writeWindow(const char* file) {
     image.height = kHeight;
     image.format = PNG_FORMAT_RGB;
     // OpenGL's first row is the lowest: a negative stride.
-    if (png_image_write_to_file(&image, file, 0, rgb.data(), -static_cast<png_int_32>(kWidth * 3), nullptr) == 0)
+    if (png_image_write_to_file(&image, file, 0, rgb.data(), -static_cast<png_int_32>(kWidth * 3), nullptr) ==
+        0)
         return limen::fail(limen::ErrorCode::Unreadable, file, image.message);
     return {};
 }

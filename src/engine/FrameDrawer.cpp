@@ -30,8 +30,8 @@ struct DrawerState {
 
 namespace {
 
-constexpr double kFarthestEye = 1e6;    // metres from the map's corner
-constexpr double kMostSeconds = 1e9;    // of the world's time
+constexpr double kFarthestEye = 1e6;                // metres from the map's corner
+constexpr double kMostSeconds = 1e9;                // of the world's time
 constexpr double kLeastFov = 0.1, kMostFov = 179.0; // degrees
 constexpr int kMostRadius = 16, kMostFarRadius = 32;
 
@@ -99,8 +99,9 @@ std::invoke_result_t<Work> inContext(DrawerState& state, Work&& work) {
         return current ? guarded(work) : Failure(current.error());
     }
     if (gpu::currentContext() != state.callers)
-        return fail(ErrorCode::BadArgument, "frame drawer",
-                    "another OpenGL context is current on this thread, or none; make that of the drawer current");
+        return fail(
+            ErrorCode::BadArgument, "frame drawer",
+            "another OpenGL context is current on this thread, or none; make that of the drawer current");
     const gpu::SavedGlState saved;
     state.device->restoreState();
     return guarded(work);
@@ -172,7 +173,8 @@ Result<FrameCounts> drawFrame(DrawerState& state, const FrameDescription& frame)
     state.drawn = view.size;
     state.hasIds = frame.withIds;
     const frame::PlanCounts& counts = session.plan().counts;
-    return FrameCounts{static_cast<std::uint32_t>(session.visible().visits.size()), counts.cellsSeen, counts.instancesDrawn};
+    return FrameCounts{static_cast<std::uint32_t>(session.visible().visits.size()), counts.cellsSeen,
+                       counts.instancesDrawn};
 }
 
 /// Runs `read` on the last frame's images.
@@ -188,7 +190,8 @@ std::invoke_result_t<Read> ofLastFrame(DrawerState* state, bool needsIds, Read&&
 
 Surface surfaceOf(const Picked& picked) {
     const IdMeaning& meaning = picked.meaning;
-    return {meaning.kind, meaning.space, meaning.record, meaning.polygon, picked.object, picked.placed, picked.distance};
+    return {meaning.kind,  meaning.space, meaning.record, meaning.polygon,
+            picked.object, picked.placed, picked.distance};
 }
 
 } // namespace
@@ -203,7 +206,8 @@ FrameDrawer& FrameDrawer::operator=(FrameDrawer&& other) noexcept {
 
 FrameDrawer::~FrameDrawer() {
     if (state_ != nullptr && !end(*state_))
-        static_cast<void>(state_.release()); // deleting names in another context would delete objects of that one
+        static_cast<void>(
+            state_.release()); // deleting names in another context would delete objects of that one
 }
 
 Result<FrameDrawer> FrameDrawer::headless(const OpenedWorld& world, const DrawerOptions& options) {
@@ -231,7 +235,8 @@ Result<FrameDrawer> FrameDrawer::onCurrentContext(const OpenedWorld& world, cons
         return Failure(made.error());
     void* const context = gpu::currentContext();
     if (context == nullptr)
-        return wrong("frame drawer", "no OpenGL context is current on this thread; make one current, or use headless");
+        return wrong("frame drawer",
+                     "no OpenGL context is current on this thread; make one current, or use headless");
     return guarded([&]() -> Result<FrameDrawer> {
         if (const Result<gpu::Capabilities> capable = gpu::queryCapabilities(); !capable)
             return Failure(capable.error()); // saving the state needs OpenGL 4.5
@@ -264,7 +269,8 @@ Result<FrameCounts> FrameDrawer::draw(const FrameDescription& frame) {
 Result<void> FrameDrawer::copyTo(std::uint32_t framebuffer, std::int32_t x, std::int32_t y) {
     return ofLastFrame(state_.get(), false, [&]() -> Result<void> {
         if (state_->context)
-            return wrong("frame drawer", "is headless, and has no framebuffer of the caller's; use readColour");
+            return wrong("frame drawer",
+                         "is headless, and has no framebuffer of the caller's; use readColour");
         return state_->device->copyTo(state_->session->target().handle(), framebuffer, x, y);
     });
 }
@@ -272,7 +278,8 @@ Result<void> FrameDrawer::copyTo(std::uint32_t framebuffer, std::int32_t x, std:
 Result<FrameObjects> FrameDrawer::objects() {
     return ofLastFrame(state_.get(), false, [&]() -> Result<FrameObjects> {
         if (state_->context)
-            return wrong("frame drawer", "is headless, and its objects are not in the caller's context; use readColour");
+            return wrong("frame drawer",
+                         "is headless, and its objects are not in the caller's context; use readColour");
         const gpu::GlDevice::PictureNames names = state_->device->namesOf(state_->session->target().handle());
         return FrameObjects{names.framebuffer, names.colour, names.ids, names.depth,
                             state_->session->plan().constants.nearPlane};
@@ -280,13 +287,15 @@ Result<FrameObjects> FrameDrawer::objects() {
 }
 
 Result<std::vector<std::uint8_t>> FrameDrawer::readColour() {
-    return ofLastFrame(state_.get(), false,
-                       [&]() -> Result<std::vector<std::uint8_t>> { return state_->session->target().readColour(); });
+    return ofLastFrame(state_.get(), false, [&]() -> Result<std::vector<std::uint8_t>> {
+        return state_->session->target().readColour();
+    });
 }
 
 Result<std::vector<std::uint32_t>> FrameDrawer::readIds() {
-    return ofLastFrame(state_.get(), true,
-                       [&]() -> Result<std::vector<std::uint32_t>> { return state_->session->target().readIds(); });
+    return ofLastFrame(state_.get(), true, [&]() -> Result<std::vector<std::uint32_t>> {
+        return state_->session->target().readIds();
+    });
 }
 
 Result<std::vector<float>> FrameDrawer::readDistances() {
@@ -303,8 +312,9 @@ Result<Surface> FrameDrawer::surfaceAt(std::uint32_t x, std::uint32_t y) {
         const Session& session = *state_->session;
         const gpu::RenderTarget& target = session.target();
         const std::size_t pixel = std::size_t{y} * state_->drawn->width + x;
-        return surfaceOf(pickedPixel(session.part().world, session.part().ids, session.dynamics(), session.visible(),
-                                     target.readIds()[pixel], target.readOwnership()[pixel],
+        return surfaceOf(pickedPixel(session.part().world, session.part().ids, session.dynamics(),
+                                     session.visible(), target.readIds()[pixel],
+                                     target.readOwnership()[pixel],
                                      target.readDistances(session.plan().constants)[pixel]));
     });
 }

@@ -23,7 +23,7 @@ struct FrameDescription {
     double fovDegrees = 60.0;                 ///< vertical field of view, 0.1 to 179
     std::uint32_t width = 1280, height = 720; ///< pixels, 1 to kMostPixelsPerSide
     double timeOfDay = 0.5;                   ///< 0 to 1; 0 and 1 are midnight
-    double seconds = 0.0;                     ///< since the start of the world; moves people, clouds and smoke; within 1e9
+    double seconds = 0.0; ///< since the start of the world; moves people, clouds and smoke; within 1e9
     bool isRaining = false;
     std::optional<double> doors{}; ///< openness of all doors, 0 to 1; none: each as in the data
     /// Also draw the ids, for readIds, readDistances and surfaceAt. Such a frame has one sample a pixel, and tests the holes
@@ -33,14 +33,15 @@ struct FrameDescription {
 
 /// Options of a drawer.
 struct DrawerOptions {
-    int radius = 4;            ///< landblocks (192 m) each way around the eye's, loaded with everything; 0 to 16
-    int farRadius = 0;         ///< landblocks each way whose ground alone is loaded; 0 to 32
+    int radius = 4;    ///< landblocks (192 m) each way around the eye's, loaded with everything; 0 to 16
+    int farRadius = 0; ///< landblocks each way whose ground alone is loaded; 0 to 32
     std::uint32_t samples = 1; ///< samples a pixel: 1 or 4
 };
 
 /// Numbers of a drawn frame.
 struct FrameCounts {
-    std::uint32_t visits = 0;    ///< of the flood: a space is visited once for each way that leads the eye's rays to it
+    std::uint32_t visits =
+        0; ///< of the flood: a space is visited once for each way that leads the eye's rays to it
     std::uint32_t cellsSeen = 0; ///< without the outside
     std::uint32_t instances = 0; ///< meshes drawn
 };
@@ -77,11 +78,13 @@ class LIMEN_API FrameDrawer {
 public:
     /// A drawer with a context of its own, for programs without a window. On Linux it is one of EGL; no GLX context may be
     /// current on the calling thread. Errors: BadArgument for options out of range; Driver.
-    [[nodiscard]] static Result<FrameDrawer> headless(const OpenedWorld& world, const DrawerOptions& options = {});
+    [[nodiscard]] static Result<FrameDrawer> headless(const OpenedWorld& world,
+                                                      const DrawerOptions& options = {});
     /// A drawer in the caller's current context: a core profile, version 4.5 or later, of EGL, GLX or WGL. Each call needs
     /// the same context to be current, and no query, transform feedback or conditional rendering to be active. Errors:
     /// BadArgument without a current context or for options out of range; Driver, naming each feature that is missing.
-    [[nodiscard]] static Result<FrameDrawer> onCurrentContext(const OpenedWorld& world, const DrawerOptions& options = {});
+    [[nodiscard]] static Result<FrameDrawer> onCurrentContext(const OpenedWorld& world,
+                                                              const DrawerOptions& options = {});
 
     FrameDrawer(FrameDrawer&& other) noexcept;
     FrameDrawer& operator=(FrameDrawer&& other) noexcept;

@@ -21,14 +21,16 @@ Failure unknownPlace(std::string_view place, const std::vector<std::string>& nam
     const std::vector<std::string> similar = nearest(place, names);
     return fail(ErrorCode::NotFound, std::string(place),
                 names.empty() ? "unknown place; this world has no places: give a position"
-                              : fmt::format("unknown place; this world has {} places.{}", names.size(), didYouMean(similar)));
+                              : fmt::format("unknown place; this world has {} places.{}", names.size(),
+                                            didYouMean(similar)));
 }
 
 } // namespace
 
 Result<OpenedWorld> OpenedWorld::open(const std::string& path) {
-    return openWorldSource(path).map(
-        [](WorldSource&& source) { return OpenedWorld(std::make_shared<const WorldSource>(std::move(source))); });
+    return openWorldSource(path).map([](WorldSource&& source) {
+        return OpenedWorld(std::make_shared<const WorldSource>(std::move(source)));
+    });
 }
 
 std::vector<std::string> OpenedWorld::places() const {
@@ -46,7 +48,8 @@ Result<Viewpoint> OpenedWorld::viewpoint(std::string_view place) const {
     const Result<ViewRequest> resolved = resolvePlace(request, *source_);
     if (resolved)
         return viewpointOf(*resolved);
-    return resolved.error().code == ErrorCode::NotFound ? unknownPlace(place, places()) : Failure(resolved.error());
+    return resolved.error().code == ErrorCode::NotFound ? unknownPlace(place, places())
+                                                        : Failure(resolved.error());
 }
 
 Result<Viewpoint> OpenedWorld::start() const {

@@ -25,7 +25,10 @@ const OpenedWorld& village() {
 }
 
 FrameDescription frameAt(const char* place, bool withIds = true) {
-    return {.viewpoint = village().viewpoint(place).value(), .width = kWidth, .height = kHeight, .withIds = withIds};
+    return {.viewpoint = village().viewpoint(place).value(),
+            .width = kWidth,
+            .height = kHeight,
+            .withIds = withIds};
 }
 
 // ---- Without a window -----------------------------------------------------------------------------------------------
@@ -68,7 +71,8 @@ TEST(FrameDrawer, reportsTheSurfaceAtAPixel) {
 }
 
 TEST(FrameDrawer, drawsEqualDescriptionsAlike) {
-    FrameDrawer first = FrameDrawer::headless(village()).value(), second = FrameDrawer::headless(village()).value();
+    FrameDrawer first = FrameDrawer::headless(village()).value(),
+                second = FrameDrawer::headless(village()).value();
     ASSERT_TRUE(first.draw(frameAt("lane")));
     const std::vector<std::uint8_t> lane = first.readColour().value();
     ASSERT_TRUE(second.draw(frameAt("inn.hall")));
@@ -107,7 +111,8 @@ TEST(FrameDrawer, smoothsEdgesWithSeveralSamples) {
 
 TEST(FrameDrawer, refusesDescriptionsOutOfRange) {
     FrameDrawer drawer = FrameDrawer::headless(village(), {.radius = 0}).value();
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinite = std::numeric_limits<double>::infinity();
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                     kInfinite = std::numeric_limits<double>::infinity();
     const FrameDescription good = frameAt("inn.hall");
     const auto expectRefused = [&](const auto& change, const char* member) {
         FrameDescription frame = good;
@@ -134,8 +139,9 @@ TEST(FrameDrawer, refusesDescriptionsOutOfRange) {
 }
 
 TEST(FrameDrawer, refusesOptionsOutOfRange) {
-    for (const DrawerOptions& options : {DrawerOptions{.radius = -1}, DrawerOptions{.radius = 17},
-                                         DrawerOptions{.farRadius = 33}, DrawerOptions{.samples = 2}, DrawerOptions{.samples = 0}}) {
+    for (const DrawerOptions& options :
+         {DrawerOptions{.radius = -1}, DrawerOptions{.radius = 17}, DrawerOptions{.farRadius = 33},
+          DrawerOptions{.samples = 2}, DrawerOptions{.samples = 0}}) {
         const Result<FrameDrawer> drawer = FrameDrawer::headless(village(), options);
         ASSERT_FALSE(drawer);
         EXPECT_EQ(drawer.error().code, ErrorCode::BadArgument);
@@ -200,10 +206,13 @@ GLint number(GLenum query) {
 
 /// A program that fills the screen with one colour.
 GLuint fillingProgram() {
-    const char* vertex = "#version 450\nvoid main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * (gl_VertexID & 2) - 1, 0, 1); }";
-    const char* fragment = "#version 450\nlayout(location = 0) out vec4 colour; void main() { colour = vec4(1, 0.5, 0, 1); }";
+    const char* vertex = "#version 450\nvoid main() { gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 2 * "
+                         "(gl_VertexID & 2) - 1, 0, 1); }";
+    const char* fragment =
+        "#version 450\nlayout(location = 0) out vec4 colour; void main() { colour = vec4(1, 0.5, 0, 1); }";
     const GLuint program = glCreateProgram();
-    for (const auto& [kind, source] : {std::pair{GLenum{GL_VERTEX_SHADER}, vertex}, std::pair{GLenum{GL_FRAGMENT_SHADER}, fragment}}) {
+    for (const auto& [kind, source] :
+         {std::pair{GLenum{GL_VERTEX_SHADER}, vertex}, std::pair{GLenum{GL_FRAGMENT_SHADER}, fragment}}) {
         const GLuint shader = glCreateShader(kind);
         glShaderSource(shader, 1, &source, nullptr);
         glCompileShader(shader);
@@ -215,7 +224,8 @@ GLuint fillingProgram() {
 
 /// GL objects of another program, which sets every kind of state to something unusual.
 struct Foreign {
-    GLuint program = fillingProgram(), vertexArray = 0, buffer = 0, texture = 0, array = 0, sampler = 0, framebuffer = 0, image = 0;
+    GLuint program = fillingProgram(), vertexArray = 0, buffer = 0, texture = 0, array = 0, sampler = 0,
+           framebuffer = 0, image = 0;
 
     Foreign() {
         glCreateVertexArrays(1, &vertexArray);
@@ -235,7 +245,8 @@ struct Foreign {
         glUseProgram(program);
         glBindVertexArray(vertexArray);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        for (const GLenum target : {GL_DRAW_INDIRECT_BUFFER, GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER, GL_SHADER_STORAGE_BUFFER})
+        for (const GLenum target : {GL_DRAW_INDIRECT_BUFFER, GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER,
+                                    GL_SHADER_STORAGE_BUFFER})
             glBindBuffer(target, buffer);
         glBindBufferRange(GL_UNIFORM_BUFFER, 0, buffer, 256, 512);
         for (GLuint i = 0; i < 8; ++i)
@@ -249,9 +260,11 @@ struct Foreign {
         glActiveTexture(GL_TEXTURE5);
     }
     static void setState() {
-        for (const GLenum name : {GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL, GL_RASTERIZER_DISCARD,
-                                  GL_DEPTH_CLAMP, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_MASK, GL_COLOR_LOGIC_OP, GL_PRIMITIVE_RESTART,
-                                  GL_FRAMEBUFFER_SRGB, GL_CLIP_DISTANCE3, GL_SAMPLE_SHADING})
+        for (const GLenum name :
+             {GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL,
+              GL_RASTERIZER_DISCARD, GL_DEPTH_CLAMP, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_MASK,
+              GL_COLOR_LOGIC_OP, GL_PRIMITIVE_RESTART, GL_FRAMEBUFFER_SRGB, GL_CLIP_DISTANCE3,
+              GL_SAMPLE_SHADING})
             glEnable(name);
         for (const GLenum name : {GL_DEPTH_TEST, GL_DITHER, GL_MULTISAMPLE})
             glDisable(name);
@@ -274,7 +287,8 @@ struct Foreign {
         glColorMaski(1, GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
         for (const GLenum side : {GL_PACK_ROW_LENGTH, GL_UNPACK_ROW_LENGTH})
             glPixelStorei(side, 3);
-        for (const GLenum side : {GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS})
+        for (const GLenum side :
+             {GL_PACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS})
             glPixelStorei(side, 2);
         for (const GLenum side : {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT})
             glPixelStorei(side, 8);
@@ -285,29 +299,85 @@ struct Foreign {
 /// All state of a context that can be read and that drawing may depend on, as numbers.
 std::vector<double> allState() {
     std::vector<double> state;
-    for (const GLenum name :
-         {GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_DEPTH_CLAMP, GL_FRAMEBUFFER_SRGB, GL_LINE_SMOOTH,
-          GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT, GL_POLYGON_SMOOTH, GL_PRIMITIVE_RESTART,
-          GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_PROGRAM_POINT_SIZE, GL_RASTERIZER_DISCARD, GL_SAMPLE_ALPHA_TO_COVERAGE,
-          GL_SAMPLE_ALPHA_TO_ONE, GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_SAMPLE_SHADING, GL_MULTISAMPLE, GL_TEXTURE_CUBE_MAP_SEAMLESS,
-          GL_DEBUG_OUTPUT, GL_DEBUG_OUTPUT_SYNCHRONOUS})
+    for (const GLenum name : {GL_CULL_FACE,
+                              GL_DEPTH_TEST,
+                              GL_DITHER,
+                              GL_STENCIL_TEST,
+                              GL_COLOR_LOGIC_OP,
+                              GL_DEPTH_CLAMP,
+                              GL_FRAMEBUFFER_SRGB,
+                              GL_LINE_SMOOTH,
+                              GL_POLYGON_OFFSET_FILL,
+                              GL_POLYGON_OFFSET_LINE,
+                              GL_POLYGON_OFFSET_POINT,
+                              GL_POLYGON_SMOOTH,
+                              GL_PRIMITIVE_RESTART,
+                              GL_PRIMITIVE_RESTART_FIXED_INDEX,
+                              GL_PROGRAM_POINT_SIZE,
+                              GL_RASTERIZER_DISCARD,
+                              GL_SAMPLE_ALPHA_TO_COVERAGE,
+                              GL_SAMPLE_ALPHA_TO_ONE,
+                              GL_SAMPLE_COVERAGE,
+                              GL_SAMPLE_MASK,
+                              GL_SAMPLE_SHADING,
+                              GL_MULTISAMPLE,
+                              GL_TEXTURE_CUBE_MAP_SEAMLESS,
+                              GL_DEBUG_OUTPUT,
+                              GL_DEBUG_OUTPUT_SYNCHRONOUS})
         state.push_back(glIsEnabled(name));
     for (GLenum i = 0; i < 8; ++i)
         state.push_back(glIsEnabled(GL_CLIP_DISTANCE0 + i));
-    for (const GLenum name :
-         {GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_CULL_FACE_MODE, GL_FRONT_FACE, GL_PROVOKING_VERTEX, GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE,
-          GL_LOGIC_OP_MODE, GL_CURRENT_PROGRAM, GL_PROGRAM_PIPELINE_BINDING, GL_VERTEX_ARRAY_BINDING, GL_DRAW_FRAMEBUFFER_BINDING,
-          GL_READ_FRAMEBUFFER_BINDING, GL_RENDERBUFFER_BINDING, GL_ACTIVE_TEXTURE, GL_ARRAY_BUFFER_BINDING, GL_ELEMENT_ARRAY_BUFFER_BINDING,
-          GL_DRAW_INDIRECT_BUFFER_BINDING, GL_DISPATCH_INDIRECT_BUFFER_BINDING, GL_PIXEL_PACK_BUFFER_BINDING,
-          GL_PIXEL_UNPACK_BUFFER_BINDING, GL_UNIFORM_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_BINDING, GL_COPY_READ_BUFFER_BINDING,
-          GL_COPY_WRITE_BUFFER_BINDING, GL_PRIMITIVE_RESTART_INDEX, GL_STENCIL_FUNC, GL_STENCIL_REF, GL_STENCIL_WRITEMASK,
-          GL_STENCIL_CLEAR_VALUE, GL_PATCH_VERTICES, GL_PACK_SWAP_BYTES, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS,
-          GL_PACK_ALIGNMENT, GL_PACK_IMAGE_HEIGHT, GL_PACK_SKIP_IMAGES, GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST, GL_UNPACK_ROW_LENGTH,
-          GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_ALIGNMENT, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES})
+    for (const GLenum name : {GL_DEPTH_FUNC,
+                              GL_DEPTH_WRITEMASK,
+                              GL_CULL_FACE_MODE,
+                              GL_FRONT_FACE,
+                              GL_PROVOKING_VERTEX,
+                              GL_CLIP_ORIGIN,
+                              GL_CLIP_DEPTH_MODE,
+                              GL_LOGIC_OP_MODE,
+                              GL_CURRENT_PROGRAM,
+                              GL_PROGRAM_PIPELINE_BINDING,
+                              GL_VERTEX_ARRAY_BINDING,
+                              GL_DRAW_FRAMEBUFFER_BINDING,
+                              GL_READ_FRAMEBUFFER_BINDING,
+                              GL_RENDERBUFFER_BINDING,
+                              GL_ACTIVE_TEXTURE,
+                              GL_ARRAY_BUFFER_BINDING,
+                              GL_ELEMENT_ARRAY_BUFFER_BINDING,
+                              GL_DRAW_INDIRECT_BUFFER_BINDING,
+                              GL_DISPATCH_INDIRECT_BUFFER_BINDING,
+                              GL_PIXEL_PACK_BUFFER_BINDING,
+                              GL_PIXEL_UNPACK_BUFFER_BINDING,
+                              GL_UNIFORM_BUFFER_BINDING,
+                              GL_SHADER_STORAGE_BUFFER_BINDING,
+                              GL_COPY_READ_BUFFER_BINDING,
+                              GL_COPY_WRITE_BUFFER_BINDING,
+                              GL_PRIMITIVE_RESTART_INDEX,
+                              GL_STENCIL_FUNC,
+                              GL_STENCIL_REF,
+                              GL_STENCIL_WRITEMASK,
+                              GL_STENCIL_CLEAR_VALUE,
+                              GL_PATCH_VERTICES,
+                              GL_PACK_SWAP_BYTES,
+                              GL_PACK_ROW_LENGTH,
+                              GL_PACK_SKIP_ROWS,
+                              GL_PACK_SKIP_PIXELS,
+                              GL_PACK_ALIGNMENT,
+                              GL_PACK_IMAGE_HEIGHT,
+                              GL_PACK_SKIP_IMAGES,
+                              GL_UNPACK_SWAP_BYTES,
+                              GL_UNPACK_LSB_FIRST,
+                              GL_UNPACK_ROW_LENGTH,
+                              GL_UNPACK_SKIP_ROWS,
+                              GL_UNPACK_SKIP_PIXELS,
+                              GL_UNPACK_ALIGNMENT,
+                              GL_UNPACK_IMAGE_HEIGHT,
+                              GL_UNPACK_SKIP_IMAGES})
         state.push_back(number(name));
     std::array<GLdouble, 4> four{};
-    for (const GLenum name : {GL_COLOR_CLEAR_VALUE, GL_BLEND_COLOR, GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS, GL_DEPTH_CLEAR_VALUE,
-                              GL_LINE_WIDTH, GL_POINT_SIZE, GL_MIN_SAMPLE_SHADING_VALUE}) {
+    for (const GLenum name :
+         {GL_COLOR_CLEAR_VALUE, GL_BLEND_COLOR, GL_POLYGON_OFFSET_FACTOR, GL_POLYGON_OFFSET_UNITS,
+          GL_DEPTH_CLEAR_VALUE, GL_LINE_WIDTH, GL_POINT_SIZE, GL_MIN_SAMPLE_SHADING_VALUE}) {
         glGetDoublev(name, four.data());
         state.insert(state.end(), four.begin(), four.end());
     }
@@ -331,24 +401,26 @@ std::vector<double> allState() {
     };
     for (GLuint i = 0; i < static_cast<GLuint>(number(GL_MAX_DRAW_BUFFERS)); ++i) {
         state.push_back(glIsEnabledi(GL_BLEND, i));
-        for (const GLenum name : {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB,
-                                  GL_BLEND_EQUATION_ALPHA})
+        for (const GLenum name : {GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB, GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA,
+                                  GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA})
             indexed(name, i);
         std::array<GLboolean, 4> mask{};
         glGetBooleani_v(GL_COLOR_WRITEMASK, i, mask.data());
         state.insert(state.end(), mask.begin(), mask.end());
     }
     for (GLuint i = 0; i < 16; ++i)
-        for (const GLenum name : {GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE,
-                                  GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE})
+        for (const GLenum name :
+             {GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE,
+              GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE})
             indexed(name, i);
     const GLint active = number(GL_ACTIVE_TEXTURE);
     for (GLint unit = 0; unit < number(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS); ++unit) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-        for (const GLenum name : {GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D, GL_TEXTURE_BINDING_1D_ARRAY,
-                                  GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_RECTANGLE, GL_TEXTURE_BINDING_CUBE_MAP,
-                                  GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, GL_TEXTURE_BINDING_BUFFER, GL_TEXTURE_BINDING_2D_MULTISAMPLE,
-                                  GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY, GL_SAMPLER_BINDING})
+        for (const GLenum name :
+             {GL_TEXTURE_BINDING_1D, GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_3D,
+              GL_TEXTURE_BINDING_1D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_RECTANGLE,
+              GL_TEXTURE_BINDING_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP_ARRAY, GL_TEXTURE_BINDING_BUFFER,
+              GL_TEXTURE_BINDING_2D_MULTISAMPLE, GL_TEXTURE_BINDING_2D_MULTISAMPLE_ARRAY, GL_SAMPLER_BINDING})
             state.push_back(number(name));
     }
     glActiveTexture(static_cast<GLenum>(active));
@@ -390,7 +462,8 @@ TEST(FrameDrawerInAContext, leavesAllStateOfTheCallerAndDrawsTheSame) {
 /// The pixels of a framebuffer's image, top row first.
 std::vector<std::uint8_t> pixelsOf(GLuint image) {
     std::vector<std::uint8_t> pixels(std::size_t{kWidth} * kHeight * 4), turned;
-    glGetTextureImage(image, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()), pixels.data());
+    glGetTextureImage(image, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(pixels.size()),
+                      pixels.data());
     for (std::size_t y = kHeight; y-- > 0;)
         turned.insert(turned.end(), pixels.begin() + static_cast<std::ptrdiff_t>(y * kWidth * 4),
                       pixels.begin() + static_cast<std::ptrdiff_t>((y + 1) * kWidth * 4));
@@ -411,9 +484,11 @@ TEST(FrameDrawerInAContext, takesTurnsWithDrawingOfTheCaller) {
         ASSERT_TRUE(drawer.draw(frame));
         ASSERT_TRUE(drawer.copyTo(foreign.framebuffer));
         EXPECT_EQ(pixelsOf(foreign.image), expected) << "frame " << repeat;
-        glDrawArrays(GL_TRIANGLES, 0, 3); // with the program, vertex array, framebuffer and viewport of before
+        glDrawArrays(GL_TRIANGLES, 0,
+                     3); // with the program, vertex array, framebuffer and viewport of before
         const std::vector<std::uint8_t> both = pixelsOf(foreign.image);
-        EXPECT_TRUE(std::equal(both.begin(), both.begin() + kWidth * (kHeight / 2) * 4, expected.begin())) << "the upper half";
+        EXPECT_TRUE(std::equal(both.begin(), both.begin() + kWidth * (kHeight / 2) * 4, expected.begin()))
+            << "the upper half";
         const std::size_t lower = std::size_t{kWidth} * (kHeight - 1) * 4;
         EXPECT_EQ(both[lower], 255);
         EXPECT_EQ(both[lower + 2], 0);
@@ -454,9 +529,11 @@ TEST(FrameDrawerInAContext, givesItsImagesToOtherCode) {
     ASSERT_TRUE(drawer.draw(frame));
     const FrameObjects objects = drawer.objects().value();
     std::vector<float> depth(std::size_t{kWidth} * kHeight);
-    glGetTextureImage(objects.depth, 0, GL_DEPTH_COMPONENT, GL_FLOAT, static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
+    glGetTextureImage(objects.depth, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                      static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
     std::vector<std::uint32_t> ids(depth.size());
-    glGetTextureImage(objects.ids, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(ids.size() * sizeof(std::uint32_t)), ids.data());
+    glGetTextureImage(objects.ids, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                      static_cast<GLsizei>(ids.size() * sizeof(std::uint32_t)), ids.data());
     // At the middle of the picture, the distance along the ray is that along the axis.
     const std::size_t x = kWidth / 2, y = kHeight / 2;
     const double axis = objects.nearPlane / static_cast<double>(depth[(kHeight - 1 - y) * kWidth + x]);
@@ -488,7 +565,8 @@ TEST(FrameDrawerInAContext, needsAContext) {
     const Result<FrameDrawer> drawer = FrameDrawer::onCurrentContext(village());
     ASSERT_FALSE(drawer);
     EXPECT_EQ(drawer.error().code, ErrorCode::BadArgument);
-    const gpu::HeadlessContext compatible = gpu::HeadlessContext::create(false, gpu::ContextProfile::Compatibility).value();
+    const gpu::HeadlessContext compatible =
+        gpu::HeadlessContext::create(false, gpu::ContextProfile::Compatibility).value();
     EXPECT_THAT(FrameDrawer::onCurrentContext(village()).error().message(), HasSubstr("core profile"));
 }
 

@@ -302,10 +302,12 @@ Result<void> GlDevice::copyTo(TargetHandle target, GLuint framebuffer, std::int3
     glBlitNamedFramebuffer(from.shown().id(), framebuffer, 0, 0, width, height, x, y, x + width, y + height,
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
     if (const GLenum error = glGetError(); error != GL_NO_ERROR)
-        return fail(ErrorCode::Driver, name(),
-                    fmt::format("the driver refuses to copy the picture into it (0x{:04X}); it needs a colour image that "
-                                "is not of integers",
-                                error));
+        return fail(
+            ErrorCode::Driver, name(),
+            fmt::format(
+                "the driver refuses to copy the picture into it (0x{:04X}); it needs a colour image that "
+                "is not of integers",
+                error));
     return {};
 }
 

@@ -37,20 +37,21 @@ constexpr std::array kSwitchNames{GL_CULL_FACE,
                                   GL_MULTISAMPLE};
 
 constexpr std::array kPixelStoreNames{
-    GL_PACK_SWAP_BYTES,   GL_PACK_LSB_FIRST,      GL_PACK_ROW_LENGTH,   GL_PACK_SKIP_ROWS,
-    GL_PACK_SKIP_PIXELS,  GL_PACK_IMAGE_HEIGHT,   GL_PACK_SKIP_IMAGES,  GL_PACK_ALIGNMENT,
-    GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST,    GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS,
+    GL_PACK_SWAP_BYTES,    GL_PACK_LSB_FIRST,      GL_PACK_ROW_LENGTH,    GL_PACK_SKIP_ROWS,
+    GL_PACK_SKIP_PIXELS,   GL_PACK_IMAGE_HEIGHT,   GL_PACK_SKIP_IMAGES,   GL_PACK_ALIGNMENT,
+    GL_UNPACK_SWAP_BYTES,  GL_UNPACK_LSB_FIRST,    GL_UNPACK_ROW_LENGTH,  GL_UNPACK_SKIP_ROWS,
     GL_UNPACK_SKIP_PIXELS, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_ALIGNMENT};
 
 /// A target, and the query of its binding.
 struct Binding {
     GLenum target, query;
 };
-constexpr std::array<Binding, 5> kBufferBindings{{{GL_DRAW_INDIRECT_BUFFER, GL_DRAW_INDIRECT_BUFFER_BINDING},
-                                                  {GL_PIXEL_PACK_BUFFER, GL_PIXEL_PACK_BUFFER_BINDING},
-                                                  {GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_UNPACK_BUFFER_BINDING},
-                                                  {GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING},
-                                                  {GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING}}};
+constexpr std::array<Binding, 5> kBufferBindings{
+    {{GL_DRAW_INDIRECT_BUFFER, GL_DRAW_INDIRECT_BUFFER_BINDING},
+     {GL_PIXEL_PACK_BUFFER, GL_PIXEL_PACK_BUFFER_BINDING},
+     {GL_PIXEL_UNPACK_BUFFER, GL_PIXEL_UNPACK_BUFFER_BINDING},
+     {GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_BINDING},
+     {GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING}}};
 constexpr std::array<Binding, 11> kTextureBindings{
     {{GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D},
      {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
@@ -221,8 +222,9 @@ void SavedGlState::restoreIndexed() const {
         const DrawBuffer& buffer = drawBuffers_[i];
         setSwitch(GL_BLEND, index, buffer.isBlended == GL_TRUE);
         glColorMaski(index, buffer.mask[0], buffer.mask[1], buffer.mask[2], buffer.mask[3]);
-        glBlendFuncSeparatei(index, static_cast<GLenum>(buffer.factors[0]), static_cast<GLenum>(buffer.factors[1]),
-                             static_cast<GLenum>(buffer.factors[2]), static_cast<GLenum>(buffer.factors[3]));
+        glBlendFuncSeparatei(index, static_cast<GLenum>(buffer.factors[0]),
+                             static_cast<GLenum>(buffer.factors[1]), static_cast<GLenum>(buffer.factors[2]),
+                             static_cast<GLenum>(buffer.factors[3]));
         glBlendEquationSeparatei(index, static_cast<GLenum>(buffer.equations[0]),
                                  static_cast<GLenum>(buffer.equations[1]));
     }

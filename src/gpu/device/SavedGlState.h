@@ -54,7 +54,8 @@ private:
 
     std::array<GLboolean, kSwitches> switches_{};
     std::array<GLint, kPixelStores> pixelStores_{};
-    GLint depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, provokingVertex_ = 0, clipOrigin_ = 0, clipDepth_ = 0;
+    GLint depthFunction_ = 0, cullFace_ = 0, frontFace_ = 0, provokingVertex_ = 0, clipOrigin_ = 0,
+          clipDepth_ = 0;
     std::array<GLint, 2> polygonMode_{}; ///< a core context has one; some drivers write two
     GLboolean depthMask_ = GL_TRUE;
 

@@ -24,7 +24,8 @@ std::filesystem::path programBytes() {
     // The name is empty for the program itself, and that of the file for a shared library.
     Dl_info info{};
     void* loaded = nullptr;
-    if (dladdr1(reinterpret_cast<const void*>(&programBytes), &info, &loaded, RTLD_DL_LINKMAP) != 0 && loaded != nullptr)
+    if (dladdr1(reinterpret_cast<const void*>(&programBytes), &info, &loaded, RTLD_DL_LINKMAP) != 0 &&
+        loaded != nullptr)
         if (const char* name = static_cast<const link_map*>(loaded)->l_name; name != nullptr && *name != '\0')
             return name;
     return "/proc/self/exe";

@@ -33,9 +33,9 @@ Result<ContextSwitch> ContextSwitch::begin() {
     const Former former{eglGetCurrentDisplay(), eglGetCurrentContext(), eglGetCurrentSurface(EGL_DRAW),
                         eglGetCurrentSurface(EGL_READ)};
     if (former.context == nullptr && currentOfGlx() != nullptr)
-        return fail(
-            ErrorCode::Driver, "EGL",
-            "a GLX context is current on this thread, which EGL could not put back; use another thread, or draw in that context");
+        return fail(ErrorCode::Driver, "EGL",
+                    "a GLX context is current on this thread, which EGL could not put back; use another "
+                    "thread, or draw in that context");
     return ContextSwitch(former);
 }
 
