@@ -30,9 +30,16 @@ std::optional<GateFigures> GateFigures::fromEnvironment() {
     if (name == nullptr || file == nullptr)
         return {};
     const std::optional<frame::Gate> gate = frame::gateNamed(name);
-    const char* const pictures = std::getenv("LIMEN_GATE_PICTURES");
-    return gate ? std::make_optional(GateFigures{*gate, file, pictures != nullptr ? pictures : ""})
-                : std::nullopt;
+    if (!gate)
+        return {};
+    GateFigures figures;
+    figures.gate = *gate;
+    figures.file = file;
+    if (const char* const pictures = std::getenv("LIMEN_GATE_PICTURES"))
+        figures.pictures = pictures;
+    if (const char* const looks = std::getenv("LIMEN_GATE_SECOND_LOOKS"))
+        figures.secondLooks = std::stoul(looks);
+    return figures;
 }
 
 void GateFigures::add(const world::World& world, const Picture& picture, const check::Comparison& comparison,
