@@ -25,8 +25,8 @@ class Judge {
 public:
     Judge(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,
           std::size_t mostSecondLooks)
-        : drawn_(drawn), traced_(traced), retracer_(retracer), mostSecondLooks_(mostSecondLooks),
-          exact_{retracer}, byZone_{retracer} {}
+        : drawn_(drawn), traced_(traced), retracer_(retracer),
+          mostSecondLooks_(mostSecondLooks), exact_{retracer}, byZone_{retracer} {}
 
     Verdict verdictAt(int x, int y) {
         const std::size_t i = indexOf(x, y);

@@ -45,7 +45,8 @@ std::optional<GateFigures> GateFigures::fromEnvironment() {
 void GateFigures::add(const world::World& world, const Picture& picture, const check::Comparison& comparison,
                       double milliseconds) const {
     std::set<world::SpaceIndex> wrongSpaces;
-    std::map<std::string, std::size_t> instead; // wrong pixels by the kind of instance that they show, or by fault
+    std::map<std::string, std::size_t>
+        instead; // wrong pixels by the kind of instance that they show, or by fault
     for (std::size_t i = 0; i < comparison.verdicts.size(); ++i) {
         if (!check::isFinding(comparison.verdicts[i]))
             continue;
