@@ -98,14 +98,13 @@ public:
         for (std::uint32_t j = 0; j < rows; ++j)
             for (std::uint32_t i = 0; i < columns_; ++i)
                 addRoom(i, j);
-        for (std::uint32_t j = 0; j < rows; ++j) {
-            for (std::uint32_t i = 0; i < columns_; ++i) {
-                const std::uint32_t room = j * columns_ + i;
-                if (i + 1 < columns_ && (j == 0 || random_.chance(0.6)))
-                    join(room, room + 1, Side::East);
-                if (j + 1 < rows && (i == 0 || random_.chance(0.6)))
-                    join(room, room + columns_, Side::North);
-            }
+        for (std::uint32_t room = 1; room < rooms_.size(); ++room) {
+            const bool hasWest = room % columns_ > 0, hasSouth = room >= columns_;
+            const bool west = hasWest && (!hasSouth || random_.chance(0.6));
+            if (west)
+                join(room - 1, room, Side::East);
+            if (hasSouth && (!west || random_.chance(0.5)))
+                join(room - columns_, room, Side::North);
         }
         openOutside(rows);
         for (const ThinRoom& room : rooms_)

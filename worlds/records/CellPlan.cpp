@@ -100,6 +100,7 @@ BuildingPlan withClosedSeams(BuildingPlan plan) {
 
 BuildingPlan withRoundedCorners(BuildingPlan plan, double grid) {
     plan = withClosedSeams(std::move(plan));
+    joinAtPortals(plan); // both polygons of a pair get the same corners
     roundCorners(plan.exterior.faces(), grid);
     for (CellPlan& cell : plan.cells)
         roundCorners(cell.faces, grid);
