@@ -16,6 +16,9 @@ std::vector<GeneratedSpec> specs() {
         out.push_back({GeneratedKind::Town, seed % 7 + 1, seed});
         out.push_back({GeneratedKind::Complex, seed * 5 % 37 + 1, seed});
         out.push_back({GeneratedKind::Terrain, seed % 6 + 1, seed});
+        out.push_back({GeneratedKind::Skewed, seed * 5 % 37 + 1, seed});
+        out.push_back({GeneratedKind::Thin, seed * 3 % 29 + 1, seed});
+        out.push_back({GeneratedKind::Nested, seed * 7 % 41 + 1, seed});
     }
     for (std::uint32_t seed = 1; seed <= 2; ++seed)
         for (const GeneratedKind kind : {GeneratedKind::Dungeon, GeneratedKind::Town})
@@ -109,7 +112,8 @@ TEST_P(EveryGeneratedWorld, loadsWithoutFindingsAndHangsTogether) {
             EXPECT_EQ(reachedFrom(world, dungeon ? 1 : world::kOutside), cellsOf(world));
     }
     const GeneratedSpec& spec = GetParam();
-    if (spec.kind == GeneratedKind::Dungeon || spec.kind == GeneratedKind::Complex)
+    if (spec.kind == GeneratedKind::Dungeon || spec.kind == GeneratedKind::Complex ||
+        spec.kind == GeneratedKind::Skewed)
         EXPECT_EQ(cells, spec.size);
     else
         EXPECT_GE(cells, spec.size);
@@ -122,7 +126,8 @@ std::string bytesOf(const std::filesystem::path& path) {
 
 TEST(Generated, theSameSpecGivesTheSameBytesAndAnotherSeedOthers) {
     for (const GeneratedKind kind :
-         {GeneratedKind::Dungeon, GeneratedKind::Town, GeneratedKind::Complex, GeneratedKind::Terrain}) {
+         {GeneratedKind::Dungeon, GeneratedKind::Town, GeneratedKind::Complex, GeneratedKind::Terrain,
+          GeneratedKind::Skewed, GeneratedKind::Thin, GeneratedKind::Nested}) {
         const GeneratedWorld one({kind, 9, 5}), same({kind, 9, 5}), other({kind, 9, 6});
         for (const char* name : {"client_portal.dat", "client_cell_1.dat", "world.json"}) {
             const std::string bytes = bytesOf(one.directory() / name);
@@ -164,7 +169,9 @@ TEST(Generated, sizesAndSharesOutOfRangeAreErrors) {
     for (const GeneratedSpec& spec :
          {GeneratedSpec{GeneratedKind::Dungeon, 0, 1}, GeneratedSpec{GeneratedKind::Dungeon, 1000001, 1},
           GeneratedSpec{GeneratedKind::Town, 2001, 1}, GeneratedSpec{GeneratedKind::Complex, 5001, 1},
-          GeneratedSpec{GeneratedKind::Terrain, 501, 1}, GeneratedSpec{GeneratedKind::Dungeon, 5, 1, 0.3}}) {
+          GeneratedSpec{GeneratedKind::Terrain, 501, 1}, GeneratedSpec{GeneratedKind::Skewed, 5001, 1},
+          GeneratedSpec{GeneratedKind::Thin, 401, 1}, GeneratedSpec{GeneratedKind::Nested, 2001, 1},
+          GeneratedSpec{GeneratedKind::Dungeon, 5, 1, 0.3}}) {
         const Result<void> written = writeGeneratedWorld(spec, directory.path());
         ASSERT_FALSE(written.has_value());
         EXPECT_EQ(written.error().code, ErrorCode::BadArgument);
