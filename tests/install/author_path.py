@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tests/install/author_path.py SOURCE WORK: the way of an engine author from nothing to a flood of a house of one's own.
+"""tests/install/author_path.py SOURCE: the way of an engine author from nothing to a flood of a house of one's own.
 
 Follows the section "From nothing to a flood of your own house" of docs/library.md in an empty folder, with the page's own commands and
 code, and compares the output with the page. Then it adds up the minutes: words to read (the section of README.md that leads there, and
@@ -9,12 +9,12 @@ more than 15 minutes, or docs/api-stability.md has other figures.
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
+import tempfile
 import time
 
-SOURCE, WORK = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+SOURCE = pathlib.Path(sys.argv[1])
 WORDS_A_MINUTE, CHARACTERS_A_MINUTE, APT_MINUTES, MOST_MINUTES = 200, 150, 1, 15
 
 
@@ -28,30 +28,28 @@ def blocks(text, language):
     return re.findall(rf"^```{language}\n(.*?)^```", text, re.DOTALL | re.MULTILINE)
 
 
-def follow(commands, environment):
+def follow(commands, folder, environment):
     """Runs the commands in the empty folder, and gives their output and seconds. Packages are installed already."""
     start = time.monotonic()
-    done = subprocess.run(["bash", "-e", "-c", commands], cwd=WORK, env=environment, capture_output=True, text=True)
+    done = subprocess.run(["bash", "-e", "-c", commands], cwd=folder, env=environment, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"exit {done.returncode} of\n{commands}{done.stdout}{done.stderr}")
     return done.stdout, time.monotonic() - start
 
 
-def main():
-    shutil.rmtree(WORK, ignore_errors=True)
-    WORK.mkdir(parents=True)
-    (WORK / "limen").symlink_to(SOURCE)
+def main(folder):
+    (folder / "limen").symlink_to(SOURCE)
     page = section("docs/library.md", "From nothing to a flood of your own house")
     start = (SOURCE / "docs/library.md").read_text().split("\n## ")[0]
     read = section("README.md", "In your own engine") + start + page
     install, build = blocks(page, "sh")
     code = "".join(blocks(page, "cpp"))
-    (WORK / "house.cpp").write_text(code)
+    (folder / "house.cpp").write_text(code)
     # As on the author's machine: no cache of compiled sources.
-    environment = {**os.environ, "HOME": str(WORK), "CCACHE_DISABLE": "1"}
+    environment = {**os.environ, "HOME": str(folder), "CCACHE_DISABLE": "1"}
     environment.pop("PKG_CONFIG_PATH", None)
-    _, seconds = follow("".join(line for line in install.splitlines(keepends=True) if not line.startswith("apt-get ")), environment)
-    printed, more = follow(build, environment)
+    _, seconds = follow("".join(line for line in install.splitlines(keepends=True) if not line.startswith("apt-get ")), folder, environment)
+    printed, more = follow(build, folder, environment)
     if [printed] != blocks(page, "text"):
         sys.exit(f"the code prints\n{printed}The page says\n{''.join(blocks(page, 'text'))}")
     words, characters = len(read.split()), len(install) + len(build) + len(code)
@@ -64,4 +62,6 @@ def main():
         sys.exit(f"docs/api-stability.md does not say: {figures}")
 
 
-main()
+# Outside of the repository: a link to it from within would be a loop for programs that walk through its folders.
+with tempfile.TemporaryDirectory(prefix="limen-author-") as empty:
+    main(pathlib.Path(empty))
