@@ -81,7 +81,7 @@ if(LIMEN_DEBIAN)
         set(engine liblimen-engine${LIMEN_SOVERSION})
         limen_deb(engine-library PACKAGE ${engine} SECTION libs
             SUMMARY "frames of worlds of interiors and landscape, drawn with OpenGL"
-            DETAILS "${family}\nThis library opens a world of dat files and draws frames of it, without a window\nor in the OpenGL context of a program."
+            DETAILS "${family}\nThis library opens a world of dat files and draws frames of it, without a\nwindow or in the OpenGL context of a program."
             DEPENDS "libegl1, libgl1" RECOMMENDS "libgl1-mesa-dri")
     endif()
     set(same "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
@@ -95,7 +95,7 @@ if(LIMEN_DEBIAN)
     if(TARGET limen_library_engine)
         limen_deb(engine PACKAGE liblimen-engine-dev SECTION libdevel
             SUMMARY "headers of the library engine"
-            DETAILS "${family}\nThis package has the headers of the library that draws them, and its files for\nCMake and pkg-config."
+            DETAILS "${family}\nThis package has the headers of the library that draws them, and its files\nfor CMake and pkg-config."
             DEPENDS "${engine} ${same}, liblimen-dev ${same}")
     endif()
     find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
