@@ -108,6 +108,7 @@ const char* shapePortal(PortalContent& portal, std::uint32_t handle, const CellG
     std::vector<Vec3> hull = hullOf(corners, portal.plane.n);
     if (const char* defect = defectOf(corners, hull, plane))
         return defect;
+    portal.plane = planeOf(hull); // of the corners that count: the flood has these only
     if (!positive)
         std::reverse(points.begin(), points.end());
     portal.points = std::move(points);
