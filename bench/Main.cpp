@@ -1,4 +1,5 @@
 #include "AllocationCount.h"
+#include "ApiBench.h"
 #include "BenchTable.h"
 #include "CallsBench.h"
 #include "CardBench.h"
@@ -53,6 +54,7 @@ constexpr std::array kBenches{
     Bench{"calls", "GL calls a frame, along the tour and with many objects", &benchCalls},
     Bench{"crowd", "planning of frames with 200 people of a world database", &benchCrowd},
     Bench{"flood", "the portal flood in grids of rooms, fine cells, dungeons and a town", &benchFlood},
+    Bench{"api", "the same floods through C++, the C interface and the Python module", &benchApi},
 };
 
 struct BenchOptions {

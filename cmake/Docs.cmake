@@ -23,7 +23,7 @@ set(DOXYGEN_USE_MDFILE_AS_MAINPAGE ${PROJECT_SOURCE_DIR}/README.md)
 set(DOXYGEN_FILTER_PATTERNS "*.md=${PROJECT_SOURCE_DIR}/cmake/page-filter" "*.h=${PROJECT_SOURCE_DIR}/cmake/header-filter.sed")
 set(DOXYGEN_STRIP_FROM_PATH ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
 set(DOXYGEN_STRIP_FROM_INC_PATH ${PROJECT_SOURCE_DIR}/src)
-set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/docs)
+set(DOXYGEN_IMAGE_PATH ${PROJECT_SOURCE_DIR}/docs) # not the root: Doxygen walks through all folders below, build folders too
 set(DOXYGEN_INCLUDE_PATH ${PROJECT_SOURCE_DIR}/src)
 set(DOXYGEN_SEARCH_INCLUDES NO) # a header's comments need no other header
 set(DOXYGEN_MACRO_EXPANSION YES) # of the marks of exported declarations only

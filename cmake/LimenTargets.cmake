@@ -68,7 +68,7 @@ endfunction()
 
 # The rooms that the libraries for other projects are made of. Their objects also go into shared libraries, and only
 # declarations with LIMEN_API are exported.
-set(LIMEN_LIBRARY_ROOMS core geometry visibility dat)
+set(LIMEN_LIBRARY_ROOMS core geometry visibility dat worlds placements world motion frame gpu reference check engine)
 
 # limen_room(name sources...): a library for a folder of src, with the alias limen::name. Its headers are
 # included as "name/Header.h". In a project that contains ours and none of our programs, limen::visibility and limen::dat

@@ -1,52 +1,62 @@
-// The engine library: opens a world, draws one frame without a window, and prints its content.
+// The engine without a window: opens a world, draws one frame, prints its content, and writes it as a PNG file.
 //
-//     frame [PLACE [DIR]]        a place of world.json (cottage.cellar), a directory of dat files (the built-in world)
+//     frame [PLACE [DIR [FILE.png]]]        a place of the world (inn.hall), a directory of dat files ("": the built-in world)
 
-#include "engine/Session.h"
+#include <limen/engine/FrameDrawer.h>
 
-#include <fmt/format.h>
+#include <png.h>
+
+#include <cstdio>
+#include <string>
+
+namespace engine = limen::engine;
 
 namespace {
 
-using namespace limen;
-
-Result<void> drawFrame(const std::string& place, const std::string& directory) {
-    Result<engine::WorldSource> source = engine::openWorldSource(directory);
-    if (!source)
-        return Failure(source.error());
-    engine::ViewRequest wanted;
-    wanted.place = place;
-    wanted.size = {640, 360};
-    const Result<engine::ViewRequest> view = engine::resolvePlace(wanted, source->file);
-    if (!view)
-        return Failure(view.error());
-    Result<engine::HeadlessSession> headless =
-        engine::openHeadless(std::make_shared<const engine::WorldSource>(std::move(*source)), {});
-    if (!headless)
-        return Failure(headless.error());
-    engine::Session& session = *headless->session;
-    if (Result<void> loaded = session.load(engine::centreOf(*view)); !loaded)
-        return loaded;
-    const Result<engine::FrameRequest> frame =
-        engine::frameRequest(session.part().world, session.source().file, *view);
-    if (!frame)
-        return Failure(frame.error());
-    if (Result<void> drawn = session.draw(*frame, {.ids = true}); !drawn)
-        return drawn;
-    const Result<engine::Picked> middle = session.pick(*frame, 320, 180);
-    if (!middle)
-        return Failure(middle.error());
-    fmt::print("{} visits, {} instances drawn; in the middle: {} of space {}, {:.2f} m away\n",
-               session.visible().visits.size(), session.plan().counts.instancesDrawn, middle->meaning.kind,
-               middle->meaning.space, middle->distance);
+limen::Result<void> writePng(const std::string& file, const engine::FrameDescription& frame,
+                             const std::vector<std::uint8_t>& rgba) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = frame.width;
+    image.height = frame.height;
+    image.format = PNG_FORMAT_RGBA;
+    if (png_image_write_to_file(&image, file.c_str(), 0, rgba.data(), 0, nullptr) == 0)
+        return limen::fail(limen::ErrorCode::Unreadable, file, image.message);
     return {};
+}
+
+limen::Result<void> drawFrame(const std::string& place, const std::string& directory,
+                              const std::string& file) {
+    const auto world = engine::OpenedWorld::open(directory);
+    if (!world)
+        return limen::Failure(world.error());
+    const auto eye = world->viewpoint(place);
+    if (!eye)
+        return limen::Failure(eye.error());
+    auto drawer = engine::FrameDrawer::headless(*world);
+    if (!drawer)
+        return limen::Failure(drawer.error());
+    const engine::FrameDescription frame{.viewpoint = *eye, .width = 640, .height = 360, .withIds = true};
+    const auto counts = drawer->draw(frame);
+    if (!counts)
+        return limen::Failure(counts.error());
+    const auto middle = drawer->surfaceAt(frame.width / 2, frame.height / 2);
+    if (!middle)
+        return limen::Failure(middle.error());
+    std::printf("%u visits, %u instances drawn; in the middle: %s of space %s, %.2f m away\n", counts->visits,
+                counts->instances, middle->kind.c_str(), middle->space.c_str(), middle->distance);
+    if (file.empty())
+        return {};
+    const auto colour = drawer->readColour();
+    return colour ? writePng(file, frame, *colour) : limen::Failure(colour.error());
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    const Result<void> drawn = drawFrame(argc > 1 ? argv[1] : "cottage.cellar", argc > 2 ? argv[2] : "");
+    const auto drawn =
+        drawFrame(argc > 1 ? argv[1] : "inn.hall", argc > 2 ? argv[2] : "", argc > 3 ? argv[3] : "");
     if (!drawn)
-        fmt::print(stderr, "frame: {}\n", drawn.error().message());
+        std::fprintf(stderr, "frame: %s\n", drawn.error().message().c_str());
     return drawn ? 0 : 2;
 }

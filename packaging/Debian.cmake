@@ -2,7 +2,8 @@
 # install component is a package, and the shared libraries have components of their own.
 set(CPACK_PACKAGE_NAME limen)
 set(CPACK_PACKAGE_VENDOR "The Limen authors")
-set(CPACK_PACKAGE_CONTACT "The Limen authors <limen@limen.invalid>")
+# No mailbox: the project has no address for mail. SECURITY.md and CONTRIBUTING.md name the places for reports.
+set(CPACK_PACKAGE_CONTACT "Limen developers <limen@example.invalid>")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -65,7 +66,7 @@ if(LIMEN_HAS_PROGRAM)
 endif()
 if(LIMEN_DEBIAN)
     file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
-    foreach(key VISIBILITY-LIBRARY DAT-LIBRARY)
+    foreach(key VISIBILITY-LIBRARY DAT-LIBRARY ENGINE-LIBRARY)
         set(CPACK_DEBIAN_${key}_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/triggers)
     endforeach()
     set(visibility liblimen-visibility${LIMEN_SOVERSION})
@@ -76,6 +77,13 @@ if(LIMEN_DEBIAN)
     limen_deb(dat-library PACKAGE ${dat} SECTION libs
         SUMMARY "reader and writer of the records of dat files"
         DETAILS "${family}\nThis library reads, verifies and writes the records of their dat files.")
+    if(TARGET limen_library_engine)
+        set(engine liblimen-engine${LIMEN_SOVERSION})
+        limen_deb(engine-library PACKAGE ${engine} SECTION libs
+            SUMMARY "frames of worlds of interiors and landscape, drawn with OpenGL"
+            DETAILS "${family}\nThis library opens a world of dat files and draws frames of it, without a\nwindow or in the OpenGL context of a program."
+            DEPENDS "libegl1, libgl1" RECOMMENDS "libgl1-mesa-dri")
+    endif()
     set(same "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
     set(CPACK_COMPONENT_VISIBILITY_GROUP development)
     set(CPACK_COMPONENT_DAT_GROUP development)
@@ -84,6 +92,12 @@ if(LIMEN_DEBIAN)
         DETAILS "${family}\nThis package has the headers, and the files for CMake and pkg-config."
         DEPENDS "${visibility} ${same}, ${dat} ${same}, libglm-dev")
     list(APPEND CPACK_COMPONENTS_ALL dat)
+    if(TARGET limen_library_engine)
+        limen_deb(engine PACKAGE liblimen-engine-dev SECTION libdevel
+            SUMMARY "headers of the library engine"
+            DETAILS "${family}\nThis package has the headers of the library that draws them, and its files\nfor CMake and pkg-config."
+            DEPENDS "${engine} ${same}, liblimen-dev ${same}")
+    endif()
     find_program(Python_EXECUTABLE python3 PATHS /usr/bin NO_DEFAULT_PATH)
     find_package(Python REQUIRED COMPONENTS Interpreter)
     math(EXPR next_python "${Python_VERSION_MINOR} + 1") # the module's file name has the version

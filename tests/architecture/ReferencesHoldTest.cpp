@@ -26,9 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 11> kRoots{"src/",      "worlds/", "shaders/", "tests/",
-                                                  "bench/",    "fuzz/",   "tools/",   "docs/",
-                                                  "examples/", "cmake/",  ".github/"};
+constexpr std::array<std::string_view, 14> kRoots{"src/",     "worlds/",    "shaders/", "tests/",    "bench/",
+                                                  "fuzz/",    "tools/",     "docs/",    "examples/", "cmake/",
+                                                  ".github/", "packaging/", "library/", "python/"};
 constexpr std::array<std::string_view, 7> kSourceEndings{".h",    ".c",    ".cpp", ".glsl",
                                                          ".vert", ".frag", ".comp"};
 
@@ -511,6 +511,15 @@ protected:
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+
+TEST_F(ReferencesScanner, knowsTheFoldersOfLibrariesAndPackages) {
+    for (const char* folder : {"library", "packaging", "python"}) {
+        EXPECT_THAT(page("`" + std::string(folder) + "/Missing.cmake`\n"),
+                    ElementsAre(HasSubstr("Missing.cmake")));
+        EXPECT_THAT(script("# " + std::string(folder) + "/Missing.cpp\n"),
+                    ElementsAre(HasSubstr("Missing.cpp")));
+    }
+}
 
 TEST_F(ReferencesScanner, makesAnchorsAsGitHubDoes) {
     EXPECT_EQ(anchorOf("Zones, and more"), "zones-and-more");

@@ -6,7 +6,7 @@ import re
 import subprocess
 
 PAGES = (("docs/library.md", "cpp", "limen-visibility"), ("docs/tutorials/dat.md", "cpp", "limen-dat"), ("docs/tutorials/c.md", "c", "limen-visibility"),
-         ("docs/tutorials/python.md", "python", None))
+         ("docs/tutorials/engine.md", "cpp", "limen-engine"), ("docs/tutorials/python.md", "python", None))
 COMPILERS = {"cpp": ["g++", "-std=c++20"], "c": ["gcc", "-std=c99"]}
 
 
@@ -25,10 +25,14 @@ def printed(source, language, flags, folder, environment):
     return built or ran(program, cwd=folder, env=environment)
 
 
-def faults(root, folder, flags_of, environment, python_path):
-    """A line for each page whose code prints another text. flags_of(package): compiler flags. No python_path: no Python."""
+def faults(root, folder, flags_of, environment, python_path, cache, has_engine):
+    """A line for each page whose code prints another text. flags_of(package): compiler flags. No python_path: no Python. cache:
+    the folder of the built-in world."""
     folder.mkdir()
+    environment = {**(environment or os.environ), "XDG_CACHE_HOME": str(cache)}
     for page, language, package in PAGES:
+        if package == "limen-engine" and not has_engine:
+            continue
         text = (root / page).read_text()
         code, expected = blocks(text, language), blocks(text, "text")
         source = folder / f"{pathlib.Path(page).stem}.{language}"

@@ -11,7 +11,8 @@ namespace limen::platform {
 [[nodiscard]] int processId();
 /// The path of the running program; empty if the system does not report it.
 [[nodiscard]] std::filesystem::path programPath();
-/// A path under which the bytes of the running program can be read, also if its file was replaced meanwhile.
+/// A path under which the bytes of this code can be read. For the running program, also if its file was replaced
+/// meanwhile; for a program that uses the engine as a shared library, those of the library.
 [[nodiscard]] std::filesystem::path programBytes();
 /// Lets another program take the place of this one, with its output and its exit code. Returns only on failure, with
 /// the reason.

@@ -283,4 +283,32 @@ void GlDevice::presentToWindow(TargetHandle target, std::uint32_t width, std::ui
     restoreState();
 }
 
+GlDevice::PictureNames GlDevice::namesOf(TargetHandle target) const {
+    const Target& of = *targets_[static_cast<std::size_t>(target)];
+    return {of.shown().id(), of.shownColour().id(), of.id.id(), of.depth.id()};
+}
+
+Result<void> GlDevice::copyTo(TargetHandle target, GLuint framebuffer, std::int32_t x, std::int32_t y) {
+    const auto name = [&] { return fmt::format("framebuffer {}", framebuffer); };
+    if (framebuffer != 0 && glIsFramebuffer(framebuffer) == GL_FALSE)
+        return fail(ErrorCode::BadArgument, name(), "does not exist; create it, and bind it once");
+    if (const GLenum status = glCheckNamedFramebufferStatus(framebuffer, GL_DRAW_FRAMEBUFFER);
+        status != GL_FRAMEBUFFER_COMPLETE)
+        return fail(ErrorCode::BadArgument, name(),
+                    fmt::format("is not complete (0x{:04X}); attach a colour image", status));
+    const Target& from = *targets_[static_cast<std::size_t>(target)];
+    const auto width = static_cast<GLint>(from.width), height = static_cast<GLint>(from.height);
+    glNamedFramebufferReadBuffer(from.shown().id(), GL_COLOR_ATTACHMENT0);
+    glBlitNamedFramebuffer(from.shown().id(), framebuffer, 0, 0, width, height, x, y, x + width, y + height,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+        return fail(
+            ErrorCode::Driver, name(),
+            fmt::format(
+                "the driver refuses to copy the picture into it (0x{:04X}); it needs a colour image that "
+                "is not of integers",
+                error));
+    return {};
+}
+
 } // namespace limen::gpu

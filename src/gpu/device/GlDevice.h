@@ -76,6 +76,20 @@ public:
     /// leaves that framebuffer bound for later drawing. Between frames; restores all state.
     void presentToWindow(TargetHandle target, std::uint32_t width, std::uint32_t height);
 
+    /// Objects of the last frame on a target, for other code on the same context. They are the device's own: read them
+    /// before its next frame, and change nothing of them.
+    struct PictureNames {
+        GLuint framebuffer = 0, colour = 0; ///< the finished picture, one sample a pixel
+        GLuint ids = 0,
+               depth = 0; ///< textures; ids is 0, and depth has several samples a pixel, if multisampled
+    };
+    [[nodiscard]] PictureNames namesOf(TargetHandle target) const;
+    /// Copies the finished colour of a target into a framebuffer, its lower left corner at (x, y). Between frames;
+    /// requires the state of restoreState. Errors: BadArgument for a framebuffer that does not exist or is not complete;
+    /// Driver.
+    [[nodiscard]] Result<void> copyTo(TargetHandle target, GLuint framebuffer, std::int32_t x,
+                                      std::int32_t y);
+
 private:
     struct Target {
         std::uint32_t width = 0, height = 0;

@@ -4,8 +4,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <dlfcn.h>
 #include <fstream>
 #include <iterator>
+#include <link.h>
 #include <unistd.h>
 
 namespace limen::platform {
@@ -19,6 +21,13 @@ std::filesystem::path programPath() {
 }
 
 std::filesystem::path programBytes() {
+    // The name is empty for the program itself, and that of the file for a shared library.
+    Dl_info info{};
+    void* loaded = nullptr;
+    if (dladdr1(reinterpret_cast<const void*>(&programBytes), &info, &loaded, RTLD_DL_LINKMAP) != 0 &&
+        loaded != nullptr)
+        if (const char* name = static_cast<const link_map*>(loaded)->l_name; name != nullptr && *name != '\0')
+            return name;
     return "/proc/self/exe";
 }
 
