@@ -1,5 +1,6 @@
 #include "cli/Console.h"
 
+#include "core/AbsolutePath.h"
 #include "core/platform/Terminal.h"
 
 #include <fmt/format.h>
@@ -23,9 +24,8 @@ void Console::note(std::string_view text) const {
 }
 
 void Console::wrote(const std::filesystem::path& path, std::string_view content) const {
-    std::error_code failed;
-    const std::filesystem::path full = std::filesystem::absolute(path, failed).lexically_normal();
-    note(fmt::format("Wrote {}{}{}", (failed ? path : full).string(), content.empty() ? "" : ": ", content));
+    const std::filesystem::path full = absolutePath(path).lexically_normal();
+    note(fmt::format("Wrote {}{}{}", full.string(), content.empty() ? "" : ": ", content));
 }
 
 void Console::error(const Error& error) const {

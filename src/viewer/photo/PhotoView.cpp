@@ -1,5 +1,7 @@
 #include "viewer/photo/PhotoView.h"
 
+#include "core/AbsolutePath.h"
+
 #include <fmt/format.h>
 
 namespace limen::viewer {
@@ -61,7 +63,7 @@ void PhotoView::begin(const std::filesystem::path& directory, const CommandOf& c
         command += fmt::format(" --supersample {}", supersample);
     saved_.clear();
     const Result<void> begun = taker_.begin(session_, picture, supersample,
-                                            std::filesystem::absolute(directory), std::move(command));
+                                            absolutePath(directory), std::move(command));
     fault_ = begun ? std::string() : begun.error().message();
 }
 
