@@ -92,12 +92,13 @@ class WineVerbs(Wine):
         self.limen("demo", "eigene Welt мир")
         for directory in ("eigene Welt мир", self.windows_path(self.work / "eigene Welt мир")):
             self.assertIn(b"inn.hall", self.limen("places", "--dat", directory))
-        report = json.loads(self.limen("doctor", "--dat", "eigene Welt мир", "--json"))
+        report = json.loads(self.limen("doctor", "eigene Welt мир", "--json"))
         self.assertIn("eigene Welt мир", [check["finding"] for check in report["checks"] if check["check"] == "files"][0])
         self.limen("dat", "export", "0xA9B40100", "--as", "gltf", "--dat", "eigene Welt мир", "-o", "Modelle ж")
         self.assertEqual(len(list((self.work / "Modelle ж").glob("*.glb"))), 1)
         missing = self.limen("places", "--dat", "eigene Wält мир", code=2, stream="stderr")
         self.assertIn("has no 'eigene Wält мир'", missing)
+        self.assertIn(r"--dat \"C:\Turbine\Asheron's Call\"", missing)
 
     def test_a_name_that_is_no_utf8_gets_a_replacement_character(self):
         (self.work / "alt.txt").write_bytes(b"--at hill -o H\xfcgel.png\n")  # in the code page 1252

@@ -6,9 +6,9 @@
 #include <locale>
 #include <string>
 
-// Narrow text is UTF-8. std::filesystem::path decodes it with std::codecvt<wchar_t, char, std::mbstate_t>. libstdc++ defines
-// these five functions by the C locale, which is Latin-1. The linker takes them from a program's own objects, not from
-// the archive libstdc++.a (decision 187).
+// Narrow text is UTF-8. std::filesystem::path decodes it with std::codecvt<wchar_t, char, std::mbstate_t>, whose own functions
+// use the C locale. The linker takes these five before it looks into the archive libstdc++.a
+// (docs/decisions/0187-narrow-text-becomes-a-path-by-our-codecvt.md).
 
 namespace {
 
