@@ -20,15 +20,10 @@ vec4 plane = vec4(0.0); // vPlane
 
 const float kNearest = 1.0e-4; // metres: an opening may be at any distance
 
-vec4 planeOfOutline() {
-    vec3 origin = outlineCorner(0u);
-    vec3 sum = vec3(0.0);
-    for (uint i = 2u; i < opening.y; ++i) {
-        sum += cross(outlineCorner(i - 1u) - origin, outlineCorner(i) - origin);
-    }
-    float size = length(sum);
-    vec3 normal = size > 0.0 ? sum / size : vec3(0.0);
-    return vec4(normal, dot(normal, origin));
+// The plane of the flood. The outline alone does not give it: corners may be off one plane by more than the eye.
+vec4 planeOfVisit(uint visit) {
+    vec4 entry = entryPlaneAt(visit);
+    return vec4(-entry.xyz, entry.w);
 }
 
 // One triangle around the whole window.
@@ -89,7 +84,7 @@ void main() {
     opening = uvec3(corner.outlineFirst, corner.outlineCount & ~kCoverWindow, corner.clipSet);
     vOpening = opening;
     if (opening.y > 0u) {
-        plane = planeOfOutline();
+        plane = planeOfVisit(corner.visit);
     }
     vPlane = plane;
     vCovers = (corner.outlineCount & kCoverWindow) != 0u ? 1u : 0u;

@@ -14,7 +14,12 @@ std::uint32_t largest(GeneratedKind kind) {
     case GeneratedKind::Town:
         return 2000;
     case GeneratedKind::Complex:
+    case GeneratedKind::Skewed:
         return 5000;
+    case GeneratedKind::Thin:
+        return 400;
+    case GeneratedKind::Nested:
+        return 2000;
     case GeneratedKind::Map:
         return 1000000;
     case GeneratedKind::Terrain:
@@ -33,6 +38,12 @@ WorldRecords build(const GeneratedSpec& spec) {
         return buildComplex(spec);
     case GeneratedKind::Map:
         return buildMap(spec);
+    case GeneratedKind::Skewed:
+        return buildSkewed(spec);
+    case GeneratedKind::Thin:
+        return buildThin(spec);
+    case GeneratedKind::Nested:
+        return buildNested(spec);
     case GeneratedKind::Terrain:
         break;
     }

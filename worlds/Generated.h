@@ -12,14 +12,18 @@ enum class GeneratedKind : std::uint8_t {
     Town,    ///< houses with doors, windows and cellars along streets, on land
     Complex, ///< a box cut into convex cells by tilted planes, with convex openings of every shape
     Terrain, ///< cellars, tunnels, towers and yards: cells that intersect the ground
-    Map      ///< all 255 x 255 landblocks: some towns, and dungeons of some hundred cells in the west
+    Map,     ///< all 255 x 255 landblocks: some towns, and dungeons of some hundred cells in the west
+    Skewed,  ///< a complex with corners rounded to a grid of up to 2 mm, so that its walls are bent
+    Thin,    ///< a building of rooms with walls 0.1 to 5 mm apart, on land
+    Nested   ///< rooms around an axis that overlap: the way around it closes after several turns
 };
 
 /// The parameters of a generated world. Every byte of the files follows from them.
 struct GeneratedSpec {
     GeneratedKind kind = GeneratedKind::Dungeon;
-    /// The number of cells of a dungeon (at most 1,000,000) or complex (5,000), of houses of a town (2,000),
-    /// of sites of a terrain (500). For a map, about the number of cells (1,000,000).
+    /// The number of cells of a dungeon (at most 1,000,000), complex or skewed complex (5,000), of houses of a
+    /// town (2,000), of sites of a terrain (500). For a map, about the number of cells (1,000,000). Of thin (400) and
+    /// nested (2,000) worlds, the least number of cells.
     std::uint32_t size = 50;
     std::uint32_t seed = 1;
     /// The share of a dungeon's cells, 0..0.05, that are corridors through other rooms. Such cells overlap in

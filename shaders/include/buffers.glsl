@@ -162,11 +162,15 @@ Member memberAt(uint index) {
 }
 #endif
 
+// The first texel of a visit.
+vec4 entryPlaneAt(uint visit) {
+    return uintBitsToFloat(ringTexel(device.firstVisit + visit * kVisitTexels));
+}
+
 #if defined(FRAGMENT_STAGE) && !defined(OWNERSHIP)
 Visit visitAt(uint index) {
-    uint at = device.firstVisit + index * kVisitTexels;
-    uvec4 rest = ringTexel(at + 1u);
-    return Visit(uintBitsToFloat(ringTexel(at)), rest.x, rest.y, rest.z, rest.w);
+    uvec4 rest = ringTexel(device.firstVisit + index * kVisitTexels + 1u);
+    return Visit(entryPlaneAt(index), rest.x, rest.y, rest.z, rest.w);
 }
 #endif
 

@@ -200,7 +200,9 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
         // distance of the eye behind the wall; in its plane the eye may be in an opening
         float height = dot(wall, vCorners[i]);
         float before = dot(wall, at) - height;
-        if (height > kEyeInPlane * perMetre && abs(before) < 1.0) {
+        // At an edge that juts into the cell the triangle is behind the wall, as a reveal is: it hides nothing.
+        bool isInCorner = dot(wall, vCorners[(i + 2u) % 3u]) > height;
+        if (isInCorner && height > kEyeInPlane * perMetre && abs(before) < 1.0) {
             farther = max(farther, 2.0 / max(dot(wall, direction), 0.1 * perMetre));
         }
     }

@@ -35,13 +35,10 @@ Passage exactPassage(vec3 direction) {
     dvec3 ray = dvec3(direction);
     dvec3 toRight = cross(dvec3(device.rayUp.xyz), ray);
     dvec3 toTop = cross(ray, dvec3(device.rayRight.xyz));
-    dvec3 first = exactCorner(0u);
     dvec3 corner = exactCorner(opening.y - 1u);
-    dvec3 normal = dvec3(0.0LF);
     bool inside = false;
     for (uint i = 0u; i < opening.y; ++i) {
         dvec3 next = exactCorner(i);
-        normal += cross(corner - first, next - first);
         dvec2 from = dvec2(dot(corner, toRight), dot(corner, toTop));
         dvec2 to = dvec2(dot(next, toRight), dot(next, toTop));
         if ((from.y < 0.0LF) != (to.y < 0.0LF)) {
@@ -51,7 +48,7 @@ Passage exactPassage(vec3 direction) {
         }
         corner = next;
     }
-    return Passage(float(dot(normal, first) / dot(normal, ray)), inside);
+    return Passage(float(double(vPlane.w) / dot(dvec3(vPlane.xyz), ray)), inside);
 }
 
 Passage passageOf(vec3 direction, vec2 window) {

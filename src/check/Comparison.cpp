@@ -23,8 +23,10 @@ using reference::Answer;
 /// Compares one picture, pixel by pixel.
 class Judge {
 public:
-    Judge(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer)
-        : drawn_(drawn), traced_(traced), retracer_(retracer), exact_{retracer}, byZone_{retracer} {}
+    Judge(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,
+          std::size_t mostSecondLooks)
+        : drawn_(drawn), traced_(traced), retracer_(retracer),
+          mostSecondLooks_(mostSecondLooks), exact_{retracer}, byZone_{retracer} {}
 
     Verdict verdictAt(int x, int y) {
         const std::size_t i = indexOf(x, y);
@@ -68,7 +70,7 @@ private:
         const Verdict worst = id == 0 ? Verdict::Void : Verdict::Disagrees;
         if (excused(x, y))
             return Verdict::Unjudged;
-        if (inVain_ >= kMostSecondLooks)
+        if (inVain_ >= mostSecondLooks_)
             return worst;
         const auto showsIt = [&](const Answer& a) { return a.id == id; };
         if (anyFiner(x, y, 1.0, 1, byZone_, showsIt))
@@ -127,7 +129,7 @@ private:
             return Verdict::Agrees;
         if (excused(x, y))
             return Verdict::Unjudged;
-        if (inVain_ >= kMostSecondLooks)
+        if (inVain_ >= mostSecondLooks_)
             return Verdict::Layers;
         if (onFinerRays(x, y, exact_, same))
             return Verdict::Sliver;
@@ -140,6 +142,7 @@ private:
     const DrawnImages& drawn_;
     const reference::Picture& traced_;
     Retracer& retracer_;
+    std::size_t mostSecondLooks_;
     Exact exact_;
     ByZone byZone_;
     std::size_t inVain_ = 0;                   ///< unsuccessful second looks
@@ -156,7 +159,7 @@ std::uint64_t Comparison::findings() const {
 }
 
 void compare(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,
-             Comparison& result) {
+             Comparison& result, std::size_t mostSecondLooks) {
     const std::size_t pixels = static_cast<std::size_t>(drawn.width) * drawn.height;
     LIMEN_ASSERT(traced.width == drawn.width && traced.height == drawn.height, "the pictures have one size");
     LIMEN_ASSERT(drawn.ids.size() == pixels, "an id for every pixel");
@@ -164,7 +167,7 @@ void compare(const DrawnImages& drawn, const reference::Picture& traced, Retrace
     LIMEN_ASSERT(drawn.layers.empty() || drawn.layers.size() == pixels, "layers for every pixel");
     result.counts = {};
     result.verdicts.resize(pixels);
-    Judge judge(drawn, traced, retracer);
+    Judge judge(drawn, traced, retracer, mostSecondLooks);
     std::size_t i = 0;
     for (int y = 0; y < static_cast<int>(drawn.height); ++y) {
         for (int x = 0; x < static_cast<int>(drawn.width); ++x, ++i) {

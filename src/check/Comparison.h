@@ -68,8 +68,9 @@ struct Comparison {
 inline constexpr std::size_t kMostSecondLooks = 400;
 
 /// Compares a drawn picture with the traced one; overwrites `result`. Requires both of one size.
+/// `mostSecondLooks`: fewer take less time for pictures that are wrong as a whole, and judge more strictly.
 void compare(const DrawnImages& drawn, const reference::Picture& traced, Retracer& retracer,
-             Comparison& result);
+             Comparison& result, std::size_t mostSecondLooks = kMostSecondLooks);
 
 /// The number of pixels where two pictures of one view differ in any bit of id, depth or colour. Requires
 /// equal sizes.

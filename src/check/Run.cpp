@@ -4,6 +4,7 @@
 #include "check/views/RandomGenerator.h"
 #include "check/views/Views.h"
 
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 
@@ -146,6 +147,22 @@ std::size_t viewsAsked(const RunRequest& request) {
         [&](std::size_t sum, const BlockTask& task) { return sum + askedOf(request, task); });
 }
 
+namespace {
+
+/// Small sizes are as frequent as large ones.
+void setAnySize(View& view, RandomGenerator random) {
+    constexpr double kMostAspect = 4.0;
+    const auto pixels = [](double side, std::uint32_t most) {
+        return std::clamp(static_cast<std::uint32_t>(side), kLeastSide, most);
+    };
+    const double width = random.betweenLog(kLeastSide, kMostWidth + 1.0);
+    view.width = pixels(width, kMostWidth);
+    view.height = pixels(width * random.betweenLog(1.0 / kMostAspect, kMostAspect), kMostHeight);
+    view.width = std::min(view.width, static_cast<std::uint32_t>(kMostAspect) * view.height);
+}
+
+} // namespace
+
 std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, const world::World& world,
                           const reference::Scene& scene) {
     Surroundings around{world, scene, task.block, request.seed, request.width, request.height, request.tour};
@@ -165,6 +182,8 @@ std::vector<View> viewsOf(const RunRequest& request, const BlockTask& task, cons
     addStraddleViews(around, count(ViewKind::Straddle), views);
     for (std::size_t i = 0; i < views.size(); ++i) {
         RandomGenerator random(request.seed, {0x74696D65u, dat::blockWord(task.block), i});
+        if (request.anySize)
+            setAnySize(views[i], {request.seed, {0x73697A65u, dat::blockWord(task.block), i}});
         views[i].seconds = std::floor(random.between(0.0, request.longest) * 100.0) / 100.0;
         views[i].doors = request.doors;
         views[i].dayGroup = request.dayGroup;

@@ -11,11 +11,16 @@
 // The run itself, with any drawer.
 namespace limen::check {
 
+/// Pixels. Sizes of views of any size; one side is at most four times the other.
+inline constexpr std::uint32_t kLeastSide = 16, kMostWidth = 2000, kMostHeight = 1200;
+
 struct RunRequest {
     std::vector<BlockTask> tasks;
     std::uint64_t seed = 1;
     std::uint32_t width = 640, height = 360;          ///< pixels
     std::uint32_t sweepWidth = 160, sweepHeight = 90; ///< pixels
+    bool anySize =
+        false; ///< instead: each view has a size of its own, kLeastSide to kMostWidth x kMostHeight
     std::span<const world::Place> tour;
     std::optional<double> doors; ///< openness of all doors; none: that of the world file
     std::uint32_t dayGroup = 0;

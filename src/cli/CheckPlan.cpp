@@ -120,7 +120,8 @@ Result<check::RunRequest> planCheck(const CheckOptions& options,
         return Failure(day.error());
     request.dayGroup = *day;
     request.threads = std::max(1u, std::thread::hardware_concurrency());
-    if (!options.size.empty()) {
+    request.anySize = options.size == "any";
+    if (!options.size.empty() && !request.anySize) {
         const Result<engine::PixelSize> size = parseSize("--size", options.size);
         if (!size)
             return Failure(size.error());

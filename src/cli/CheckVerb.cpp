@@ -235,8 +235,11 @@ void addCheckVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "(random,outside,path,sweep,still)")
         ->type_name("LIST");
     verb->add_option("--seed", options->seed, "choose the views with this seed (1)")->type_name("N");
-    verb->add_option("--size", options->size, "set the picture size in pixels (640x360, for sweeps 160x90)")
-        ->type_name("WxH");
+    verb->add_option(
+            "--size", options->size,
+            "set the picture size in pixels, or any: a size of its own for each view, 16x16 to 2000x1200 "
+            "(640x360, for sweeps 160x90)")
+        ->type_name("WxH|any");
     verb->add_option("--block", options->block,
                      "check only this landblock, four hexadecimal digits, e.g. A9B4 (all)")
         ->type_name("XXYY");

@@ -37,13 +37,20 @@ std::optional<GeneratedKind> kindOf(std::string_view name) {
         return GeneratedKind::Terrain;
     if (name == "map")
         return GeneratedKind::Map;
+    if (name == "skewed")
+        return GeneratedKind::Skewed;
+    if (name == "thin")
+        return GeneratedKind::Thin;
+    if (name == "nested")
+        return GeneratedKind::Nested;
     return std::nullopt;
 }
 
 /// Memory for writing a world: measured on worlds of the largest sizes, with a third as reserve.
 std::uint64_t bytesToWrite(GeneratedKind kind, std::uint64_t size) {
     constexpr std::uint64_t kProgram = 100'000'000;
-    constexpr std::array<std::uint64_t, 5> kEach{6'000, 190'000, 110'000, 200'000, 8'500}; // by GeneratedKind
+    constexpr std::array<std::uint64_t, 8> kEach{6'000, 190'000, 110'000, 200'000,
+                                                 8'500, 110'000, 110'000, 110'000}; // by GeneratedKind
     return kProgram + size * kEach.at(static_cast<std::size_t>(kind));
 }
 
@@ -92,14 +99,17 @@ void addDemoVerb(CLI::App& program, const Console& console, Choice& choice) {
             "--kind", chosen->kind,
             "choose the world: built-in; dungeon: rooms, corridors and shafts; town: houses and streets; "
             "complex: convex cells with openings of every shape; terrain: cells that the ground passes "
-            "through; map: all 255 x 255 landblocks with towns and dungeons (built-in)")
-        ->type_name("built-in|dungeon|town|complex|terrain|map")
-        ->check(oneOf({"built-in", "dungeon", "town", "complex", "terrain", "map"}));
-    CLI::Option* size =
-        verb->add_option(
-                "--size", chosen->size,
-                "set the number of cells (dungeon, complex, map), houses (town) or sites (terrain) (50)")
-            ->type_name("N");
+            "through; map: all 255 x 255 landblocks with towns and dungeons; and three that are hard to "
+            "draw: skewed: a complex with "
+            "bent walls; thin: rooms with walls 0.1 to 5 mm apart; nested: rooms that overlap in loops "
+            "(built-in)")
+        ->type_name("built-in|dungeon|town|complex|terrain|map|skewed|thin|nested")
+        ->check(
+            oneOf({"built-in", "dungeon", "town", "complex", "terrain", "map", "skewed", "thin", "nested"}));
+    CLI::Option* size = verb->add_option("--size", chosen->size,
+                                         "set the number of cells (dungeon, complex, map, skewed, thin, "
+                                         "nested), houses (town) or sites (terrain) (50)")
+                            ->type_name("N");
     CLI::Option* seed =
         verb->add_option("--seed", chosen->seed,
                          "choose one world of this kind and size; equal seeds give equal worlds (1)")

@@ -120,7 +120,8 @@ struct FramePlan {
     gpu::ViewConstants constants;
     std::vector<gpu::vec4>
         blocks; ///< origin of each block minus that of the eye's block, metres: whole multiples of 192
-    std::vector<gpu::Visit> visits;
+    std::vector<gpu::Visit>
+        visits; ///< fragments follow the first constants.visitCount; openings take their plane from any
     std::vector<gpu::OwnershipVertex> ownershipVertices;
     std::vector<gpu::ClipSet> clipSets;
     std::vector<gpu::vec4> rects; ///< minimum x and y, maximum x and y; NDC

@@ -34,6 +34,11 @@ public:
     [[nodiscard]] static bool isEdgeOn(const visibility::Visit& visit) {
         return visit.inPlane || std::abs(visit.entryPlane.d) < kEyeInPlaneTolerance;
     }
+    /// gpu::Visit::entryPlane: eye-relative; the root's keeps everything. Openings are drawn by this plane.
+    [[nodiscard]] static gpu::vec4 entryPlaneOf(const visibility::Visit& visit) {
+        return visit.depth == 0 ? gpu::vec4(0, 0, 0, 1)
+                                : gpu::vec4(Vec3f(visit.entryPlane.n), visit.entryPlane.d);
+    }
     /// A clip set that keeps everything.
     [[nodiscard]] static gpu::ClipSet openClipSet();
     /// Draws the opening of a visit, clipped by a clip set of the plan. An opening whose plane contains the eye is

@@ -43,8 +43,7 @@ private:
     void addVisit(const visibility::Visit& visit) {
         gpu::Visit out;
         const bool root = visit.depth == 0;
-        out.entryPlane =
-            root ? gpu::vec4(0, 0, 0, 1) : gpu::vec4(Vec3f(visit.entryPlane.n), visit.entryPlane.d);
+        out.entryPlane = OpeningTriangles::entryPlaneOf(visit);
         out.zone = visit.zone;
         out.parent = root ? gpu::kNoVisit : visit.parent;
         out.shutBy = visit.shut ? shutBy(visit.portal) : 0;

@@ -25,8 +25,10 @@ constexpr int kUploadAttempts = 3;
 
 // Asserts the conditions without which the GPU would read out of bounds or loop.
 void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
-    LIMEN_ASSERT(!plan.visits.empty() && plan.visits.size() == plan.constants.visitCount,
+    LIMEN_ASSERT(plan.constants.visitCount > 0 && plan.visits.size() >= plan.constants.visitCount,
                  "a plan has at least the root visit");
+    for (const layout::OwnershipVertex& vertex : plan.ownershipVertices)
+        LIMEN_ASSERT(vertex.visit < plan.visits.size(), "an opening's visit is in the plan");
     LIMEN_ASSERT(!plan.blocks.empty(), "at least the eye's block is resident");
     LIMEN_ASSERT(plan.constants.staticPieces == staticPieces, "the plan was made for this scene");
     for (std::size_t i = 0; i < plan.visits.size(); ++i) {
@@ -226,7 +228,7 @@ FrameKind Renderer::kindOf(const frame::FramePlan& plan, const RenderTarget& tar
     return {.drawing = options_.drawing,
             .exactOutlines = options_.exactOutlines,
             .multisampled = target.options().samples > 0,
-            .several = plan.visits.size() > 1,
+            .several = plan.constants.visitCount > 1,
             .grainedMeshes = tiling[layout::kDetailOfExteriors] > 0 || tiling[layout::kDetailOfShells] > 0,
             .grainedLand = tiling[layout::kDetailOfLand] > 0,
             .pixelLamps = (plan.constants.flags & layout::kFramePixelLamps) != 0,

@@ -218,6 +218,18 @@ TEST(Comparison, aBrokenPictureIsNotLookedAtForEver) {
     EXPECT_LT(retracer.finerRays, kMostSecondLooks * 4000);
 }
 
+TEST(Comparison, fewerSecondLooksJudgeMoreStrictly) {
+    const DrawnImages drawn = drawnOf(64, 64, kOther);
+    HandMadeRetracer retracer; // finer rays explain the lower half
+    retracer.byZoneId = [](double, double y) { return y > 32.0 ? kOther : kWall; };
+    Comparison all, few;
+    compare(drawn, tracedOf(64, 64, kWall), retracer, all);
+    compare(drawn, tracedOf(64, 64, kWall), retracer, few, 8);
+    EXPECT_EQ(few.findings(), 64u * 64u);
+    EXPECT_EQ(few.count(Verdict::ByZone), 0u);
+    EXPECT_GE(few.findings(), all.findings());
+}
+
 TEST(Comparison, pixelsThatAreExplainedDoNotUseUpTheSecondLooks) {
     const DrawnImages drawn = drawnOf(64, 64, kOther);
     HandMadeRetracer retracer;

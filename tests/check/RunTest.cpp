@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <set>
 #include <thread>
 
 namespace limen::check {
@@ -127,6 +128,30 @@ TEST(Run, oneWrongPixelIsAFindingWithACommand) {
     const std::vector<View> views =
         viewsOf(small.request, small.request.tasks[0], small.house.world, *small.house.scene);
     EXPECT_EQ(shotOptions(totals.worst[0].view), shotOptions(views[4]));
+}
+
+TEST(Run, viewsOfAnySizeDifferInSizeAndInNothingElse) {
+    SmallRun small;
+    const auto viewsNow = [&] {
+        return viewsOf(small.request, small.request.tasks[0], small.house.world, *small.house.scene);
+    };
+    const std::vector<View> usual = viewsNow();
+    small.request.anySize = true;
+    const std::vector<View> any = viewsNow(), again = viewsNow();
+    ASSERT_EQ(any.size(), usual.size());
+    std::set<std::pair<std::uint32_t, std::uint32_t>> sizes;
+    for (std::size_t i = 0; i < any.size(); ++i) {
+        EXPECT_EQ(any[i].eye, usual[i].eye);
+        EXPECT_EQ(shotOptions(any[i]), shotOptions(again[i]));
+        EXPECT_GE(std::min(any[i].width, any[i].height), kLeastSide);
+        EXPECT_LE(any[i].width, kMostWidth);
+        EXPECT_LE(any[i].height, kMostHeight);
+        EXPECT_LE(std::max(any[i].width, any[i].height), 4 * std::min(any[i].width, any[i].height) + 4);
+        sizes.insert({any[i].width, any[i].height});
+    }
+    EXPECT_GT(sizes.size(), any.size() / 2);
+    const Totals totals = small.run();
+    EXPECT_EQ(totals.sum().disagreeing(), 0u);
 }
 
 TEST(Run, aWrongDepthIsAFinding) {

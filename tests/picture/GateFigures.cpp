@@ -30,20 +30,31 @@ std::optional<GateFigures> GateFigures::fromEnvironment() {
     if (name == nullptr || file == nullptr)
         return {};
     const std::optional<frame::Gate> gate = frame::gateNamed(name);
-    const char* const pictures = std::getenv("LIMEN_GATE_PICTURES");
-    return gate ? std::make_optional(GateFigures{*gate, file, pictures != nullptr ? pictures : ""})
-                : std::nullopt;
+    if (!gate)
+        return {};
+    GateFigures figures;
+    figures.gate = *gate;
+    figures.file = file;
+    if (const char* const pictures = std::getenv("LIMEN_GATE_PICTURES"))
+        figures.pictures = pictures;
+    if (const char* const looks = std::getenv("LIMEN_GATE_SECOND_LOOKS"))
+        figures.secondLooks = std::stoul(looks);
+    return figures;
 }
 
 void GateFigures::add(const world::World& world, const Picture& picture, const check::Comparison& comparison,
                       double milliseconds) const {
     std::set<world::SpaceIndex> wrongSpaces;
-    std::map<std::string, std::size_t> instead; // wrong pixels by the kind of instance that they show
+    std::map<std::string, std::size_t>
+        instead; // wrong pixels by the kind of instance that they show, or by fault
     for (std::size_t i = 0; i < comparison.verdicts.size(); ++i) {
         if (!check::isFinding(comparison.verdicts[i]))
             continue;
+        const check::Verdict verdict = comparison.verdicts[i];
         const std::string shown = describeId(world, picture.ids[i]);
-        ++instead[shown.substr(0, shown.find(' '))];
+        const bool wrongId = verdict != check::Verdict::Layers && verdict != check::Verdict::Depth;
+        ++instead[wrongId ? shown.substr(0, shown.find(' '))
+                          : std::string(check::kVerdictNames[static_cast<std::size_t>(verdict)])];
         const std::uint32_t instance = instanceOfId(world, picture.ids[i]);
         if (instance != world::kNone)
             wrongSpaces.insert(world.instances[instance].placedIn);

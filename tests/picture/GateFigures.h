@@ -14,10 +14,12 @@ namespace limen::test {
 /// with that gate, and wrong pixels are written down instead of failing.
 struct GateFigures {
     frame::Gate gate = frame::Gate::Ownership;
-    std::filesystem::path file;     ///< one JSON object a view is appended
-    std::filesystem::path pictures; ///< a directory, or empty: writePair
+    std::filesystem::path file;                        ///< one JSON object a view is appended
+    std::filesystem::path pictures;                    ///< a directory, or empty: writePair
+    std::size_t secondLooks = check::kMostSecondLooks; ///< of the judge in each view
 
-    /// From LIMEN_MEASURED_GATE, LIMEN_GATE_FIGURES and LIMEN_GATE_PICTURES; none if one of the first two is not set.
+    /// From LIMEN_MEASURED_GATE, LIMEN_GATE_FIGURES, LIMEN_GATE_PICTURES and LIMEN_GATE_SECOND_LOOKS; none if one of
+    /// the first two is not set.
     [[nodiscard]] static std::optional<GateFigures> fromEnvironment();
     /// `milliseconds`: of drawing the picture and reading it.
     void add(const world::World& world, const Picture& picture, const check::Comparison& comparison,

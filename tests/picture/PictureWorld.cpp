@@ -208,7 +208,7 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
     return picture;
 }
 
-check::Comparison PictureWorld::judge(const Picture& picture) {
+check::Comparison PictureWorld::judge(const Picture& picture, std::size_t mostSecondLooks) {
     if (!traced_) {
         traced_ = std::make_unique<check::TracedWorld>(world());
         traced_->setDynamics(dynamics_);
@@ -244,7 +244,7 @@ check::Comparison PictureWorld::judge(const Picture& picture) {
     camera.place = frame::gpu::kPixelPlace;
     check::ViewRetracer retracer(*traced_, camera);
     reference::tracePicture(traced_->scene(), camera, 2, tracedPicture_);
-    check::compare(drawn, tracedPicture_, retracer, comparison);
+    check::compare(drawn, tracedPicture_, retracer, comparison, mostSecondLooks);
     return comparison;
 }
 
@@ -268,7 +268,7 @@ Picture PictureWorld::expectClean(const frame::FrameView& frame, const gpu::Rend
         const auto start = std::chrono::steady_clock::now();
         const Picture drawn = shoot(measured, options);
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-        const check::Comparison comparison = judge(drawn);
+        const check::Comparison comparison = judge(drawn, figures->secondLooks);
         figures->add(world(), drawn, comparison, time.count());
         if (figures->wantsPair(comparison))
             figures->writePair(shoot(enlarged(frame)), shoot(enlarged(measured)));

@@ -76,7 +76,8 @@ public:
     void plan(const frame::FrameView& frame, visibility::VisibleSet& visible, frame::FramePlan& plan);
 
     /// Holds a picture against the reference: the same judgement as `limen check`, of one by shootSampled that with --msaa.
-    [[nodiscard]] check::Comparison judge(const Picture& picture);
+    [[nodiscard]] check::Comparison judge(const Picture& picture,
+                                          std::size_t mostSecondLooks = check::kMostSecondLooks);
     /// The driver's own text for its version, e.g. "4.5 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string driverVersion() const;
     /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test.

@@ -198,6 +198,28 @@ TEST(Portals, badPolygonsStayShut) {
     }
 }
 
+TEST(Portals, cornersOffThePlaneAreTolerated) {
+    // Corners that are rounded to 2 mm are off by up to 1.7 mm each. The plane is that of the mean.
+    for (const auto& [off, isOpen] : {std::pair{0.003, true}, {0.02, false}}) {
+        TwoRooms rooms;
+        rooms.source.link(rooms.a, {{4, 1, 0}, {4, 2, 0}, {4 + off, 2, 2}, {4, 1, 2}}, rooms.b);
+        const World world = test::loadTestWorld(rooms.source);
+        EXPECT_EQ(firstPortal(world, 1).destination != kNone, isOpen) << off;
+    }
+}
+
+TEST(Portals, thePlaneIsThatOfTheCornersThatCount) {
+    // The fifth corner is within the hull of the others and off their plane. The flood has the hull alone.
+    TwoRooms rooms;
+    rooms.source.link(rooms.a, {{4, 1, 0}, {4, 2, 0}, {4, 2, 2}, {4.0008, 1.5, 1.9995}, {4, 1, 2}}, rooms.b);
+    const World world = test::loadTestWorld(rooms.source);
+    const Portal& portal = firstPortal(world, 1);
+    ASSERT_EQ(portal.cornerCount, 4u);
+    const Plane plane = planeOf(cornersOf(world, portal));
+    EXPECT_LT(glm::length(plane.n - portal.plane.n), 1e-12);
+    EXPECT_NEAR(plane.d, portal.plane.d, 1e-9);
+}
+
 TEST(Portals, cornersAreConvexAndAmongTheVertices) {
     // b is smaller than a: its corners are inserted into the edges of a's opening.
     TestWorld source;

@@ -218,7 +218,8 @@ TEST(GeneratedTerrain, groundRunsThroughCells) {
 
 TEST(GeneratedWorlds, showTheSameSpacesMergedAndApart) {
     for (const GeneratedKind kind :
-         {GeneratedKind::Dungeon, GeneratedKind::Town, GeneratedKind::Complex, GeneratedKind::Terrain}) {
+         {GeneratedKind::Dungeon, GeneratedKind::Town, GeneratedKind::Complex, GeneratedKind::Terrain,
+          GeneratedKind::Skewed, GeneratedKind::Thin, GeneratedKind::Nested}) {
         const GeneratedWorld generated({kind, 12, 2});
         const world::World merged = generated.load(generated.blocks().at(0), true);
         const world::World apart = generated.load(generated.blocks().at(0), false);

@@ -16,6 +16,9 @@ std::vector<GeneratedSpec> specs() {
         out.push_back({GeneratedKind::Town, seed % 7 + 1, seed});
         out.push_back({GeneratedKind::Complex, seed * 5 % 37 + 1, seed});
         out.push_back({GeneratedKind::Terrain, seed % 6 + 1, seed});
+        out.push_back({GeneratedKind::Skewed, seed * 5 % 37 + 1, seed});
+        out.push_back({GeneratedKind::Thin, seed * 3 % 29 + 1, seed});
+        out.push_back({GeneratedKind::Nested, seed * 7 % 41 + 1, seed});
     }
     for (std::uint32_t seed = 1; seed <= 2; ++seed)
         for (const GeneratedKind kind : {GeneratedKind::Dungeon, GeneratedKind::Town})
@@ -51,13 +54,14 @@ bool isOfWalledPair(const world::World& world, const world::Portal& portal) {
 }
 
 /// Expects every portal to have a reciprocal, but for walled ones and those against them.
-void expectPaired(const world::World& world) {
+/// `mostBends`: of an outline. Rounding bends an outline at vertices of neighbours, too.
+void expectPaired(const world::World& world, std::size_t mostBends) {
     for (const world::Portal& portal : world.portals) {
         ASSERT_NE(portal.destination, world::kNone);
         ASSERT_TRUE(portal.reciprocal != world::kNone || isOfWalledPair(world, portal));
         EXPECT_TRUE(portal.reciprocal == world::kNone || !portal.walled);
         EXPECT_GE(bendsOf(world::cornersOf(world, portal)), 3u);
-        EXPECT_LE(bendsOf(world::cornersOf(world, portal)), 12u);
+        EXPECT_LE(bendsOf(world::cornersOf(world, portal)), mostBends);
     }
 }
 
@@ -100,7 +104,7 @@ TEST_P(EveryGeneratedWorld, loadsWithoutFindingsAndHangsTogether) {
     for (const dat::BlockCoord block : generated.blocks()) {
         const world::World world = generated.load(block);
         EXPECT_EQ(limen::test::findingsOf(world), "");
-        expectPaired(world);
+        expectPaired(world, GetParam().kind == GeneratedKind::Skewed ? 24 : 12);
         expectPlacesInTheirCells(generated, world, block);
         expectTreesHoldNothingFarOff(world, GetParam().seed);
         cells += cellsOf(world);
@@ -109,7 +113,8 @@ TEST_P(EveryGeneratedWorld, loadsWithoutFindingsAndHangsTogether) {
             EXPECT_EQ(reachedFrom(world, dungeon ? 1 : world::kOutside), cellsOf(world));
     }
     const GeneratedSpec& spec = GetParam();
-    if (spec.kind == GeneratedKind::Dungeon || spec.kind == GeneratedKind::Complex)
+    if (spec.kind == GeneratedKind::Dungeon || spec.kind == GeneratedKind::Complex ||
+        spec.kind == GeneratedKind::Skewed)
         EXPECT_EQ(cells, spec.size);
     else
         EXPECT_GE(cells, spec.size);
@@ -122,7 +127,8 @@ std::string bytesOf(const std::filesystem::path& path) {
 
 TEST(Generated, theSameSpecGivesTheSameBytesAndAnotherSeedOthers) {
     for (const GeneratedKind kind :
-         {GeneratedKind::Dungeon, GeneratedKind::Town, GeneratedKind::Complex, GeneratedKind::Terrain}) {
+         {GeneratedKind::Dungeon, GeneratedKind::Town, GeneratedKind::Complex, GeneratedKind::Terrain,
+          GeneratedKind::Skewed, GeneratedKind::Thin, GeneratedKind::Nested}) {
         const GeneratedWorld one({kind, 9, 5}), same({kind, 9, 5}), other({kind, 9, 6});
         for (const char* name : {"client_portal.dat", "client_cell_1.dat", "world.json"}) {
             const std::string bytes = bytesOf(one.directory() / name);
@@ -164,7 +170,9 @@ TEST(Generated, sizesAndSharesOutOfRangeAreErrors) {
     for (const GeneratedSpec& spec :
          {GeneratedSpec{GeneratedKind::Dungeon, 0, 1}, GeneratedSpec{GeneratedKind::Dungeon, 1000001, 1},
           GeneratedSpec{GeneratedKind::Town, 2001, 1}, GeneratedSpec{GeneratedKind::Complex, 5001, 1},
-          GeneratedSpec{GeneratedKind::Terrain, 501, 1}, GeneratedSpec{GeneratedKind::Dungeon, 5, 1, 0.3}}) {
+          GeneratedSpec{GeneratedKind::Terrain, 501, 1}, GeneratedSpec{GeneratedKind::Skewed, 5001, 1},
+          GeneratedSpec{GeneratedKind::Thin, 401, 1}, GeneratedSpec{GeneratedKind::Nested, 2001, 1},
+          GeneratedSpec{GeneratedKind::Dungeon, 5, 1, 0.3}}) {
         const Result<void> written = writeGeneratedWorld(spec, directory.path());
         ASSERT_FALSE(written.has_value());
         EXPECT_EQ(written.error().code, ErrorCode::BadArgument);

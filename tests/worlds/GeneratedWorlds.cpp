@@ -34,7 +34,8 @@ world::World GeneratedWorld::load(dat::BlockCoord block, bool mergeZones, int ra
 }
 
 std::string nameOf(const GeneratedSpec& spec) {
-    constexpr const char* kNames[] = {"dungeon", "town", "complex", "terrain"};
+    constexpr const char* kNames[] = {"dungeon", "town",   "complex", "terrain",
+                                      "map",     "skewed", "thin",    "nested"};
     return fmt::format("{} of {}, seed {}", kNames[static_cast<std::size_t>(spec.kind)], spec.size,
                        spec.seed);
 }

@@ -1,16 +1,15 @@
 #include "worlds/builtin/land/RegionBuilder.h"
+#include "worlds/generate/CellPlaces.h"
 #include "worlds/generate/ComplexOpenings.h"
 #include "worlds/generate/GeneratedKinds.h"
 #include "worlds/generate/Land.h"
 #include "worlds/generate/Props.h"
 #include "worlds/generate/SmallPictures.h"
-#include "worlds/generate/WorldNotes.h"
 #include "worlds/records/LandblockWriter.h"
 #include "worlds/shapes/Shell.h"
 #include "worlds/shapes/SolidCutter.h"
 
-#include <fmt/format.h>
-
+#include <cmath>
 #include <numeric>
 
 namespace limen::worlds {
@@ -21,7 +20,6 @@ constexpr dat::BlockCoord kBlock{0x30, 0x40};
 constexpr double kVolume = 60.0; ///< mean volume of a cell, cubic metres
 constexpr double kLeastRadius = 0.12;
 constexpr int kComplexGround = 40;
-constexpr std::size_t kMostComplexPlaces = 48;
 
 OpeningMix mixOf(Random& random) {
     OpeningMix mix;
@@ -221,7 +219,10 @@ private:
 
 } // namespace
 
-WorldRecords buildComplex(const GeneratedSpec& spec) {
+namespace {
+
+/// `grid`: of all corners, metres; 0: the finest that floats hold.
+WorldRecords complexWith(const GeneratedSpec& spec, double grid) {
     WorldRecords records;
     addGeneratedMaterials(records, spec.furnished);
     ModelWriter writer(records);
@@ -238,28 +239,34 @@ WorldRecords buildComplex(const GeneratedSpec& spec) {
     WorldNotes notes;
     const std::vector<CellPlan> cells = plan.cells;
     LandblockWriter block(writer, kBlock, kGeneratedCells);
-    const dat::RecordId first = block.add(withClosedSeams(std::move(plan)), at).front();
+    const dat::RecordId first =
+        block
+            .add(grid > 0.0 ? withRoundedCorners(std::move(plan), grid) : withClosedSeams(std::move(plan)),
+                 at)
+            .front();
     if (mix.toGround) {
         addRegion(writer, addGeneratedPlants(writer, spec.furnished));
         const double away = 12.0 + std::cbrt(kVolume * spec.size);
         notes.addPlace("outside", blockToGlobal(kBlock, at.origin + Vec3(away, -away, 0.7 * away)),
                        blockToGlobal(kBlock, at.origin + Vec3(0.0, 0.0, 0.3 * away)), 0);
     }
-    const std::size_t step = std::max<std::size_t>(1, cells.size() / kMostComplexPlaces);
-    for (std::size_t c = 0; c < cells.size(); c += step) {
-        const Vec3 target =
-            cells[c].links.empty()
-                ? cells[c].eye + Vec3(1.0, 0.0, 0.0)
-                : centroidOf(std::find_if(cells[c].faces.begin(), cells[c].faces.end(), [](const Face& f) {
-                                 return f.portal;
-                             })->points);
-        notes.addPlace(fmt::format("cell.{}", c), blockToGlobal(kBlock, place(at, cells[c].eye)),
-                       blockToGlobal(kBlock, place(at, target)), first + static_cast<dat::RecordId>(c));
-    }
+    notePlaces({"cell", kBlock, at, first}, cells, notes);
     block.finish();
     land.addTo(records);
     records.worldFile = notes.take();
     return records;
+}
+
+} // namespace
+
+WorldRecords buildComplex(const GeneratedSpec& spec) {
+    return complexWith(spec, 0.0);
+}
+
+WorldRecords buildSkewed(const GeneratedSpec& spec) {
+    constexpr int kFinest = 14, kCoarsest = 9; // negative powers of two: 0.06 to 2 mm
+    return complexWith(
+        spec, std::ldexp(1.0, -(kCoarsest + static_cast<int>(spec.seed) % (kFinest - kCoarsest + 1))));
 }
 
 } // namespace limen::worlds

@@ -9,6 +9,9 @@ namespace limen::worlds {
 [[nodiscard]] WorldRecords buildDungeon(const GeneratedSpec& spec);
 [[nodiscard]] WorldRecords buildTown(const GeneratedSpec& spec);
 [[nodiscard]] WorldRecords buildComplex(const GeneratedSpec& spec);
+[[nodiscard]] WorldRecords buildSkewed(const GeneratedSpec& spec);
+[[nodiscard]] WorldRecords buildThin(const GeneratedSpec& spec);
+[[nodiscard]] WorldRecords buildNested(const GeneratedSpec& spec);
 [[nodiscard]] WorldRecords buildTerrainWorld(const GeneratedSpec& spec);
 [[nodiscard]] WorldRecords buildMap(const GeneratedSpec& spec);
 

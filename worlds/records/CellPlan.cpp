@@ -98,6 +98,15 @@ BuildingPlan withClosedSeams(BuildingPlan plan) {
     return plan;
 }
 
+BuildingPlan withRoundedCorners(BuildingPlan plan, double grid) {
+    plan = withClosedSeams(std::move(plan));
+    joinAtPortals(plan); // both polygons of a pair get the same corners
+    roundCorners(plan.exterior.faces(), grid);
+    for (CellPlan& cell : plan.cells)
+        roundCorners(cell.faces, grid);
+    return plan;
+}
+
 Neighbours neighboursOf(const std::vector<CellPlan>& cells) {
     Neighbours out;
     for (const CellPlan& cell : cells) {

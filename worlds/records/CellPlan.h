@@ -52,6 +52,8 @@ struct BuildingPlan {
 
 /// Closes the seams of each mesh on the finest grid that its floats hold. For plans that are linked by index.
 [[nodiscard]] BuildingPlan withClosedSeams(BuildingPlan plan);
+/// The same, and then rounds all corners to multiples of `grid` metres (roundCorners).
+[[nodiscard]] BuildingPlan withRoundedCorners(BuildingPlan plan, double grid);
 
 /// For each cell, the cells that its portals lead to.
 using Neighbours = std::vector<std::vector<std::uint32_t>>;

@@ -160,6 +160,28 @@ void closeSeams(std::vector<Face>& faces, double grid) {
     insertAndFan(faces, points, grid);
 }
 
+void roundCorners(std::vector<Face>& faces, double grid) {
+    for (Face& face : faces) {
+        Face out = face;
+        out.points.clear();
+        out.uvs.clear();
+        out.normals.clear();
+        for (std::size_t i = 0; i < face.points.size(); ++i) {
+            const Vec3& p = face.points[i];
+            const Vec3 rounded(snap(p.x, grid), snap(p.y, grid), snap(p.z, grid));
+            if (!out.points.empty() && (rounded == out.points.back() || rounded == out.points.front()))
+                continue;
+            out.points.push_back(rounded);
+            if (!face.uvs.empty())
+                out.uvs.push_back(face.uvs[i]);
+            if (!face.normals.empty())
+                out.normals.push_back(face.normals[i]);
+        }
+        face = std::move(out);
+    }
+    std::erase_if(faces, [](const Face& face) { return face.points.size() < 3; });
+}
+
 void closePortalSeams(const std::vector<std::vector<Face>*>& meshes) {
     Points points;
     for (const std::vector<Face>* mesh : meshes) {

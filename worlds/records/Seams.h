@@ -16,6 +16,10 @@ inline constexpr double kBuiltGrid = 1.0 / 8192.0;
 /// on its edges. Afterwards edges match one to one, without cracks or T-junctions.
 void closeSeams(std::vector<Face>& faces, double grid = kBuiltGrid);
 
+/// Rounds points to multiples of `grid` metres. Faces stay joined as they are, and become bent. Corners that fall on one
+/// point become one; a face that has fewer than three then is removed.
+void roundCorners(std::vector<Face>& faces, double grid);
+
 /// Closes seams between meshes that meet at openings: all get the vertices that one of them has on the border
 /// of a portal face. Requires: each mesh's own seams are closed on kBuiltGrid.
 void closePortalSeams(const std::vector<std::vector<Face>*>& meshes);

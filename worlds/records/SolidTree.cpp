@@ -14,8 +14,8 @@ bool sameWay(const Plane& a, const Plane& b) {
     return glm::dot(a.n, b.n) > 0.0;
 }
 
-/// Pieces in front of and behind a plane. A piece in the plane is dropped if it faces the same way; else it
-/// bounds the region behind.
+/// The other pieces in front of and behind the plane of one. A piece in the plane is dropped if it faces the same way; else
+/// it bounds the region behind.
 struct Parting {
     std::vector<Piece> front, back;
 };
@@ -26,17 +26,31 @@ bool inPlane(const Piece& piece, const Plane& plane) {
                        [&](const Vec3& p) { return std::abs(plane.signedDistance(p)) <= kInCutPlane; });
 }
 
+/// Metres. What is thinner bounds nothing.
+constexpr double kSliverDepth = 0.005;
+
+/// True for a strip. Rounded corners turn its plane so far that points far outside would be in front of it.
+bool isStrip(const Polygon& points) {
+    double longest = 0.0;
+    for (const Vec3& a : points)
+        for (const Vec3& b : points)
+            longest = std::max(longest, glm::length(a - b));
+    return areaOf(points) < kSliverDepth * longest;
+}
+
 /// False for slivers: rounded corners bend the faces of a convex solid. A sliver bounds nothing, and a
 /// subtree behind it would contain points far outside.
 bool isDeepBehind(const Polygon& piece, const Plane& plane) {
-    constexpr double kSliverDepth = 0.005;
     return std::any_of(piece.begin(), piece.end(),
                        [&](const Vec3& p) { return plane.signedDistance(p) < -kSliverDepth; });
 }
 
-Parting part(const std::vector<Piece>& pieces, const Plane& plane) {
+Parting part(const std::vector<Piece>& pieces, const Piece& by) {
     Parting out;
+    const Plane& plane = by.plane;
     for (const Piece& piece : pieces) {
+        if (&piece == &by) // a bent one may be off its own plane
+            continue;
         if (inPlane(piece, plane)) {
             if (!sameWay(piece.plane, plane))
                 out.back.push_back(piece);
@@ -71,7 +85,7 @@ private:
         std::size_t chosen = pieces.size();
         bool keepsMiddle = false;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
-            Parting parting = part(pieces, pieces[i].plane);
+            Parting parting = part(pieces, pieces[i]);
             const bool keeps = pieces[i].plane.signedDistance(middle_) >= 0.0;
             if (chosen == pieces.size() || (keeps && !keepsMiddle) ||
                 (keeps == keepsMiddle && parting.back.size() < best.back.size())) {
@@ -102,7 +116,8 @@ private:
 dat::BspTree buildSolidCellBsp(const std::vector<Face>& faces, const Vec3& middle) {
     std::vector<Piece> pieces;
     for (const Face& face : faces)
-        pieces.push_back({face.points, planeOf(face.points)});
+        if (!isStrip(face.points))
+            pieces.push_back({face.points, planeOf(face.points)});
     return SolidTreeBuilder(middle).build(pieces);
 }
 

@@ -76,12 +76,13 @@ void GatePlanner::begin(const Input& in) {
     in.plan.gate = in.frame.gate;
     in.plan.clips = true;
     in.plan.clipSets.push_back(OpeningTriangles::openClipSet());
-    gpu::Visit root;
-    root.entryPlane = gpu::vec4(0, 0, 0, 1);
-    root.zone = in.plan.constants.rootZone;
-    root.parent = gpu::kNoVisit;
-    in.plan.visits.push_back(root);
-    in.plan.constants.visitCount = 1; // shaders look for no other
+    for (const visibility::Visit& visit : in.set.visits) {
+        gpu::Visit& out = in.plan.visits.emplace_back();
+        out.entryPlane = OpeningTriangles::entryPlaneOf(visit);
+        out.zone = in.plan.constants.rootZone;
+        out.parent = gpu::kNoVisit;
+    }
+    in.plan.constants.visitCount = 1; // no fragment looks for another; openings need their plane
     const double pixel =
         2.0 * std::max(in.frame.view.tanHalfX / in.frame.width, in.frame.view.tanHalfY / in.frame.height);
     cones_.prepare(in.frame.view, in.set, pixel);

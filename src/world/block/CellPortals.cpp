@@ -11,7 +11,7 @@ namespace {
 
 /// Metres. The tolerated distance of a portal's corners from its plane, and from the hull of the other
 /// corners. Stitching moves corners by less than the weld tolerance.
-constexpr double kFlatness = 0.001;
+constexpr double kFlatness = 0.004;
 /// Metres. A shell that reaches through a portal's plane by less than this counts as being on one side.
 constexpr double kOneSided = 0.01;
 
@@ -108,6 +108,7 @@ const char* shapePortal(PortalContent& portal, std::uint32_t handle, const CellG
     std::vector<Vec3> hull = hullOf(corners, portal.plane.n);
     if (const char* defect = defectOf(corners, hull, plane))
         return defect;
+    portal.plane = planeOf(hull); // of the corners that count: the flood has these only
     if (!positive)
         std::reverse(points.begin(), points.end());
     portal.points = std::move(points);

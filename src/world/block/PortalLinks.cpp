@@ -107,6 +107,20 @@ void pairByGeometry(BlockContent& block) {
     }
 }
 
+/// True if each one's corners are among the vertices of the other. Of one bent polygon the hulls from both sides can have
+/// different corners.
+bool haveTheSameCorners(const PortalContent& a, const PortalContent& b) {
+    const auto areAmong = [](const std::vector<Vec3>& corners, const std::vector<Vec3>& points) {
+        return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+            return std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
+                return glm::length(point - corner) <= kExactTolerance;
+            });
+        });
+    };
+    return !a.points.empty() && !b.points.empty() && areAmong(a.corners, b.points) &&
+           areAmong(b.corners, a.points);
+}
+
 void judgeExactness(BlockContent& block) {
     for (std::uint32_t p = 0; p < block.portals.size(); ++p) {
         const std::uint32_t q = block.portals[p].reciprocal;
@@ -116,7 +130,8 @@ void judgeExactness(BlockContent& block) {
         PortalContent& b = block.portals[q];
         LIMEN_ASSERT(b.reciprocal == p, "the way back of a way back is the portal itself");
         const bool flagged = (a.flags & b.flags & dat::CellPortal::kExactMatch) != 0;
-        const bool same = sameOpening(a, b, kExactTolerance) && glm::dot(a.plane.n, b.plane.n) < 0.0;
+        const bool same = (sameOpening(a, b, kExactTolerance) || haveTheSameCorners(a, b)) &&
+                          glm::dot(a.plane.n, b.plane.n) < 0.0;
         if (flagged && !same)
             note(block.findings, block.cells[a.space].id,
                  nameOf(a) + " is flagged an exact match, but its way back has another polygon");

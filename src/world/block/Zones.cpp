@@ -36,6 +36,39 @@ bool boxesPart(const Aabb& a, const Aabb& b) {
     return false;
 }
 
+bool isNear(const PortalContent& portal, const Aabb& bounds) {
+    Aabb box;
+    for (const Vec3& p : portal.points)
+        box.include(p);
+    return glm::all(glm::lessThanEqual(box.min - kInPlaneTolerance, bounds.max)) &&
+           glm::all(glm::greaterThanEqual(box.max + kInPlaneTolerance, bounds.min));
+}
+
+/// True if walls of a cell that are in a portal's plane overlap the portal by more than kOverlapTolerance. May be true for
+/// walls that wind around it.
+bool hasWallIn(const PortalContent& portal, const CellShape& shape) {
+    std::vector<Vec3> wall;
+    for (const Vec3& p : shape.points)
+        if (std::abs(portal.plane.signedDistance(p)) <= kInPlaneTolerance)
+            wall.push_back(p);
+    const auto partedAlong = [&](const Vec3& direction) {
+        const Vec3 across = glm::cross(direction, portal.plane.n);
+        const double length = glm::length(across);
+        if (length < 0.5)
+            return false; // not in the plane
+        const Interval i = project(wall, across / length), j = project(portal.points, across / length);
+        return i.high - j.low <= kOverlapTolerance || j.high - i.low <= kOverlapTolerance;
+    };
+    if (wall.size() < 3)
+        return false;
+    for (std::size_t i = 0; i < portal.points.size(); ++i) {
+        const Vec3 edge = portal.points[i + 1 == portal.points.size() ? 0 : i + 1] - portal.points[i];
+        if (glm::length(edge) > kOverlapTolerance && partedAlong(glm::normalize(edge)))
+            return false;
+    }
+    return std::none_of(shape.edges.begin(), shape.edges.end(), partedAlong);
+}
+
 /// The cells of a zone by grid cell, so that only near cells are compared.
 class MemberGrid {
 public:
@@ -50,18 +83,19 @@ public:
         all_.push_back(cell);
     }
 
-    [[nodiscard]] bool isDisjointFromAll(const CellShape& shape) const {
-        const auto apart = [&](std::uint32_t cell) { return areDisjoint(shape, block_.cells[cell].shape); };
-        bool disjoint = true;
-        const bool small = forEachKey(shape.bounds, [&](std::uint64_t key) {
+    /// True if the test holds for all members whose bounds can touch the box.
+    template <class Test>
+    [[nodiscard]] bool allNear(const Aabb& box, Test test) const {
+        bool all = true;
+        const bool small = forEachKey(box, [&](std::uint64_t key) {
             const auto found = near_.find(key);
-            disjoint = disjoint && (found == near_.end() ||
-                                    std::all_of(found->second.begin(), found->second.end(), apart));
-            return disjoint;
+            all = all &&
+                  (found == near_.end() || std::all_of(found->second.begin(), found->second.end(), test));
+            return all;
         });
         if (!small)
-            return std::all_of(all_.begin(), all_.end(), apart);
-        return disjoint && std::all_of(large_.begin(), large_.end(), apart);
+            return std::all_of(all_.begin(), all_.end(), test);
+        return all && std::all_of(large_.begin(), large_.end(), test);
     }
 
 private:
@@ -157,7 +191,23 @@ private:
         }
         const bool entered = std::any_of(incoming_[cell].begin(), incoming_[cell].end(),
                                          [&](std::uint32_t from) { return zoneOf_[from] == zone; });
-        return !entered && members.isDisjointFromAll(content.shape);
+        return !entered && members.allNear(content.shape.bounds, [&](std::uint32_t member) {
+            return areDisjoint(content.shape, block_.cells[member].shape) && !isBehind(cell, member) &&
+                   !isBehind(member, cell);
+        });
+    }
+
+    /// True if a cell is right behind an opening of another cell that does not lead to it. Its walls in the opening's plane
+    /// would show to rays that come in by the opening, because surfaces there are met from both sides.
+    [[nodiscard]] bool isBehind(std::uint32_t cell, std::uint32_t other) const {
+        const CellContent& from = block_.cells[other];
+        const CellShape& shape = block_.cells[cell].shape;
+        for (std::uint32_t p = from.firstPortal; p < from.firstPortal + from.portalCount; ++p) {
+            const PortalContent& portal = block_.portals[p];
+            if (portal.destination != cell && isNear(portal, shape.bounds) && hasWallIn(portal, shape))
+                return true;
+        }
+        return false;
     }
 
     const BlockContent& block_;

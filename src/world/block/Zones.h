@@ -12,7 +12,8 @@ namespace limen::world {
 [[nodiscard]] bool areDisjoint(const CellShape& a, const CellShape& b);
 
 /// Groups a block's cells into zones. The cells of a zone are connected by exact portals, closed and pairwise
-/// disjoint; no portal between two of them is inexact or one-way. Deterministic: breadth first from the
+/// disjoint; no portal between two of them is inexact or one-way, and none is right behind an opening that leads to
+/// another cell. Deterministic: breadth first from the
 /// smallest id. `merge` false: a zone for each cell.
 [[nodiscard]] std::vector<std::vector<std::uint32_t>> groupIntoZones(const BlockContent& block, bool merge);
 

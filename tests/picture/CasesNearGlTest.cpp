@@ -1,0 +1,132 @@
+// Hard cases 45 to 47 of docs/cases.md: cells that overlap in a loop, walls a millimetre apart, bent openings.
+#include "picture/CaseHelp.h"
+
+namespace limen::test {
+namespace {
+
+struct CasesNear : ZoneCases {};
+LIMEN_BOTH_ZONINGS(CasesNear);
+
+/// Eight rooms around an axis. The way round it closes after two turns, so each room has another in its place.
+struct Loop {
+    TestWorld world;
+    std::vector<TestWorld::Cell> rooms;
+    static constexpr double kX = 90.0, kY = 90.0; ///< the axis
+
+    Loop() {
+        constexpr std::array<std::array<double, 2>, 4> kQuadrants{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+        constexpr std::array kColours{"brown", "blue", "red", "grey"};
+        for (std::size_t k = 0; k < 8; ++k) {
+            const double x = kQuadrants[k % 4][0] * (4.0 + 0.25 * static_cast<double>(k)),
+                         y = kQuadrants[k % 4][1] * 5.0;
+            rooms.push_back(world.addBox({kX + std::min(x, 0.0), kY + std::min(y, 0.0), -12},
+                                         {kX + std::max(x, 0.0), kY + std::max(y, 0.0), -9},
+                                         kColours[(k + k / 4) % 4]));
+        }
+        for (std::size_t k = 0; k < 8; ++k)
+            world.link(rooms[k], opening(k), rooms[(k + 1) % 8]);
+    }
+    /// In the plane between a room and the next; wider in the first turn than in the second.
+    static std::vector<Vec3> opening(std::size_t k) {
+        const double width = k < 4 ? 2.0 : 1.25;
+        const Vec3 along = k % 4 == 0   ? Vec3(0, 1, 0)
+                           : k % 4 == 1 ? Vec3(-1, 0, 0)
+                           : k % 4 == 2 ? Vec3(0, -1, 0)
+                                        : Vec3(1, 0, 0);
+        const Vec3 axis(kX, kY, -12);
+        return rectangle(axis + along * 0.25, axis + along * (0.25 + width) + Vec3(0, 0, 2));
+    }
+};
+
+TEST_P(CasesNear, case45_roomsOverlapInALoop) {
+    Loop loop;
+    PictureWorld pictures(loop.world, options());
+    for (std::size_t k = 0; k < 8; ++k) {
+        const std::vector<Vec3> opening = Loop::opening(k);
+        const Vec3 middle = (opening[0] + opening[2]) * 0.5;
+        const Vec3 before = middle + (k % 4 == 0   ? Vec3(3, 0, 0)
+                                      : k % 4 == 1 ? Vec3(0, 3, 0)
+                                      : k % 4 == 2 ? Vec3(-3, 0, 0)
+                                                   : Vec3(0, -3, 0));
+        const Vec3 through = glm::normalize(middle - before);
+        const double yaw = glm::degrees(std::atan2(through.x, through.y));
+        const world::SpaceIndex space = pictures.space(loop.world.id(loop.rooms[k]));
+        for (const double turned : {-25.0, 0.0, 25.0})
+            pictures.expectClean(pictures.look(before, yaw + turned, -5, space));
+        for (const double past : {-0.01, -4e-6, 4e-6, 1e-4}) // metres behind the opening's plane
+            for (const double turned : {0.0, 90.0, 180.0, 270.0})
+                pictures.expectClean(pictures.look(middle + through * past, yaw + turned + 5.0, -20, space));
+    }
+}
+
+TEST_P(CasesNear, case45_aHatchLeadsDownIntoARoomWithinTheRoomBelow) {
+    TestWorld world;
+    const auto room = world.addBox({80, 80, -12}, {86, 86, -9}, "brown"),
+               loft = world.addBox({80, 80, -9}, {86, 86, -6}, "blue"),
+               closet = world.addBox({82, 82, -12}, {84, 84, -9}, "red");
+    world.link(room, rectangle({80.25, 80.25, -9}, {81.25, 81.25, -9}), loft);
+    world.link(loft, rectangle({82.5, 82.5, -9}, {83.5, 83.5, -9}), closet);
+    PictureWorld pictures(world, options());
+    // The ceiling of the room is in the plane of the hatch. It is not in the way up from the closet.
+    const Picture up =
+        pictures.expectClean(pictures.look({83, 83, -11}, 30, 80, pictures.space(world.id(closet))));
+    EXPECT_GT(pixelsOfRecord(pictures, up, world.id(loft)), 300u);
+    EXPECT_EQ(pixelsOfRecord(pictures, up, world.id(room)), 0u);
+}
+
+/// Two rooms whose walls are `gap` apart: the second has reveals from its wall to the opening in the first one's.
+struct ThinRooms {
+    TestWorld world;
+    TestWorld::Cell first = world.addBox({80, 80, -12}, {84, 84, -9}, "brown"), second;
+
+    explicit ThinRooms(double gap) {
+        const double wall = 84.0 + gap;
+        Walls walls = boxWalls({wall, 80, -12}, {88, 84, -9}, "blue");
+        const Walls reveals = boxWalls({84, 81, -12}, {wall, 82, -10}, "red");
+        cutOpening(walls, rectangle({wall, 81, -12}, {wall, 82, -10}));
+        for (const BoxWall side : {kFloor, kCeiling, kSouth, kNorth, kWest})
+            walls.push_back(reveals[side]);
+        second = world.addCell(std::move(walls));
+        world.link(first, rectangle({84, 81, -12}, {84, 82, -10}), second);
+    }
+};
+
+TEST_P(CasesNear, case46_revealsAMillimetreDeep) {
+    ThinRooms rooms(0.0015);
+    PictureWorld pictures(rooms.world, options());
+    const world::SpaceIndex first = pictures.space(rooms.world.id(rooms.first)),
+                            second = pictures.space(rooms.world.id(rooms.second));
+    for (const double aside : {0.0004, 0.002, 0.01}) {
+        for (const double past : {-0.001, 0.0003, 0.0009, 0.003}) {
+            const Vec3 eye(84.0 + past, 81.0 + aside, -11);
+            for (const double yaw : {90.0, 135.0, 175.0, 225.0})
+                pictures.expectClean(pictures.look(eye, yaw, 10, past > 0.0 ? second : first));
+        }
+    }
+}
+
+TEST_P(CasesNear, case47_anOpeningWhoseCornersAreOffItsPlane) {
+    // Records with coarse corners have such openings. The eye is nearer to the plane than the corners.
+    TestWorld world;
+    const auto a = world.addBox({80, 80, -12}, {84, 84, -9}, "brown"),
+               b = world.addBox({84, 80, -12}, {88, 84, -9}, "blue");
+    std::vector<Vec3> opening = rectangle({84, 81, -11.5}, {84, 83, -9.5});
+    for (std::size_t i = 0; i < 4; ++i)
+        opening[i].x += i % 2 == 0 ? 0.0004 : -0.0004;
+    TestWorld::LinkOptions bent;
+    bent.exact = false;
+    world.link(a, opening, b, bent);
+    PictureWorld pictures(world, options());
+    const world::SpaceIndex space = pictures.space(world.id(a));
+    for (const double before : {2.5e-4, 3.5e-4, 1e-3}) {
+        for (const double yaw : {60.0, 90.0, 120.0}) {
+            const Picture picture = pictures.shoot(pictures.look({84 - before, 82.1, -10.4}, yaw, 4, space));
+            const check::Comparison verdict = pictures.judge(picture);
+            EXPECT_EQ(verdict.findings(), 0u) << before << " " << yaw;
+            EXPECT_GT(pixelsOfRecord(pictures, picture, world.id(b)), 5000u) << before << " " << yaw;
+        }
+    }
+}
+
+} // namespace
+} // namespace limen::test
