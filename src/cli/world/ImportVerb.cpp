@@ -40,8 +40,7 @@ std::string sourceText(const std::vector<std::string>& sources) {
     std::string text;
     for (const std::string& source : sources) {
         const bool isUrl = placements::isServerUrl(source);
-        text += (text.empty() ? "" : ", ") +
-                (isUrl ? source : absolutePath(source).string());
+        text += (text.empty() ? "" : ", ") + (isUrl ? source : absolutePath(source).string());
     }
     return text;
 }
