@@ -85,7 +85,10 @@ std::vector<std::string> throwingCalls(const std::string& text) {
             int depth = 0;
             do {
                 depth += text[end] == '(' ? 1 : text[end] == ')' ? -1 : 0;
-                last = !isOfWord(text[end]) ? (text[end] == ')' ? last : "") : last + text[end];
+                if (isOfWord(text[end]))
+                    last += text[end];
+                else if (text[end] != ')')
+                    last.clear();
             } while (++end < text.size() && depth > 0);
             if (!kNames.contains(last))
                 found.push_back(text.substr(at, end - at));
