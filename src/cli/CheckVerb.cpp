@@ -55,7 +55,8 @@ std::string nameOfRun(const CheckOptions& options, const std::string& world) {
 Result<check::Progress> progressOf(const CheckOptions& options, const std::string& run) {
     check::Progress progress;
     progress.run = run;
-    if (options.resume.empty() || !std::filesystem::exists(options.resume))
+    std::error_code ignored;
+    if (options.resume.empty() || !std::filesystem::exists(options.resume, ignored))
         return progress;
     const Result<std::string> text = output::readTextFile(options.resume, kStateLimit);
     if (!text)

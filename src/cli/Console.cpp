@@ -1,5 +1,6 @@
 #include "cli/Console.h"
 
+#include "core/AbsolutePath.h"
 #include "core/platform/Terminal.h"
 
 #include <fmt/format.h>
@@ -12,20 +13,31 @@ void write(std::FILE* file, std::string_view text) {
     (void)std::fwrite(text.data(), 1, text.size(), file);
 }
 
+/// Writes at once: on Windows no stream is written line by line.
+void writeNow(std::FILE* file, std::string_view text) {
+    write(file, text);
+    (void)std::fflush(file);
+}
+
 } // namespace
 
+Console::Console(std::FILE* out, std::FILE* err, Interrupt interrupt)
+    : out_(out), err_(err), interrupt_(interrupt), isOutTerminal_(platform::isTerminal(out)) {}
+
 void Console::data(std::string_view text) const {
-    write(out_, text);
+    if (isOutTerminal_)
+        writeNow(out_, text);
+    else
+        write(out_, text);
 }
 
 void Console::note(std::string_view text) const {
-    write(err_, fmt::format("{}\n", text));
+    writeNow(err_, fmt::format("{}\n", text));
 }
 
 void Console::wrote(const std::filesystem::path& path, std::string_view content) const {
-    std::error_code failed;
-    const std::filesystem::path full = std::filesystem::absolute(path, failed).lexically_normal();
-    note(fmt::format("Wrote {}{}{}", (failed ? path : full).string(), content.empty() ? "" : ": ", content));
+    const std::filesystem::path full = absolutePath(path).lexically_normal();
+    note(fmt::format("Wrote {}{}{}", full.string(), content.empty() ? "" : ": ", content));
 }
 
 void Console::error(const Error& error) const {
@@ -49,7 +61,7 @@ Progress::Progress(const Console& console, std::string_view title, std::size_t t
 
 Progress::~Progress() {
     if (shown_)
-        write(console_.err(), "\r\x1b[K"); // erase the bar
+        writeNow(console_.err(), "\r\x1b[K"); // erase the bar
 }
 
 void Progress::step(std::size_t done) {
@@ -59,9 +71,8 @@ void Progress::step(std::size_t done) {
         return;
     constexpr std::size_t kWidth = 30;
     const std::size_t filled = kWidth * std::min(done, total_) / total_;
-    write(console_.err(), fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{}", title_, "", filled, "",
-                                      kWidth - filled, done, total_));
-    (void)std::fflush(console_.err());
+    writeNow(console_.err(), fmt::format("\r\x1b[K{} [{:#<{}}{:.<{}}] {}/{}", title_, "", filled, "",
+                                         kWidth - filled, done, total_));
     drawn_ = now;
     shown_ = true;
 }
@@ -85,12 +96,9 @@ Waiting::~Waiting() {
 void Waiting::show() {
     std::unique_lock guard(lock_);
     for (int seconds = 1; !ended_.wait_for(guard, std::chrono::seconds(1), [this] { return isEnding_; });
-         ++seconds) {
-        write(console_.err(), fmt::format("\r\x1b[K{} ... {} s", title_, seconds));
-        (void)std::fflush(console_.err());
-    }
-    write(console_.err(), "\r\x1b[K");
-    (void)std::fflush(console_.err());
+         ++seconds)
+        writeNow(console_.err(), fmt::format("\r\x1b[K{} ... {} s", title_, seconds));
+    writeNow(console_.err(), "\r\x1b[K");
 }
 
 } // namespace limen::cli

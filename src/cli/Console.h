@@ -26,10 +26,9 @@ enum class Exit : int {
 /// The terminal of a verb: data on standard output, everything else on standard error, and Ctrl-C.
 class Console {
 public:
-    explicit Console(std::FILE* out = stdout, std::FILE* err = stderr, Interrupt interrupt = {})
-        : out_(out), err_(err), interrupt_(interrupt) {}
+    explicit Console(std::FILE* out = stdout, std::FILE* err = stderr, Interrupt interrupt = {});
 
-    /// Writes data unchanged.
+    /// Writes data unchanged; at once if standard output is a terminal.
     void data(std::string_view text) const;
     /// Writes one line for a person.
     void note(std::string_view text) const;
@@ -49,6 +48,7 @@ private:
     std::FILE* out_;
     std::FILE* err_;
     Interrupt interrupt_;
+    bool isOutTerminal_;
 };
 
 /// A progress bar on the terminal's last line, shown after one second of work. Invisible if standard error is

@@ -3,6 +3,7 @@
 #include "cli/Choices.h"
 #include "cli/Parse.h"
 #include "cli/PlaceNotation.h"
+#include "core/AbsolutePath.h"
 #include "output/OutputFile.h"
 
 #include <CLI/CLI.hpp>
@@ -320,7 +321,7 @@ Result<void> checkOutputs(std::span<const std::filesystem::path> outputs) {
     for (const std::filesystem::path& path : outputs) {
         if (Result<void> writable = output::checkWritable(path); !writable)
             return writable;
-        sorted.push_back(std::filesystem::absolute(path).lexically_normal());
+        sorted.push_back(absolutePath(path).lexically_normal());
     }
     std::sort(sorted.begin(), sorted.end());
     const auto twice = std::adjacent_find(sorted.begin(), sorted.end());

@@ -22,10 +22,10 @@ struct DirectoryFacts {
 
 /// The display for `limen view`.
 struct DisplayFacts {
-    std::string x11;          ///< the value of DISPLAY; empty: not set
-    std::string wayland;      ///< the value of WAYLAND_DISPLAY; empty: not set
-    bool answers = false;     ///< the X server of `x11` accepts this process
-    std::string desktop = ""; ///< a desktop without X11 and Wayland; empty: there is none
+    std::string x11;       ///< the value of DISPLAY; empty: not set
+    std::string wayland;   ///< the value of WAYLAND_DISPLAY; empty: not set
+    bool answers = false;  ///< the X server of `x11` accepts this process
+    std::string desktop{}; ///< a desktop without X11 and Wayland; empty: there is none
 };
 
 struct MachineFacts {

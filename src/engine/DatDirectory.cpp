@@ -1,6 +1,7 @@
 #include "engine/DatDirectory.h"
 
 #include "core/Nearest.h"
+#include "engine/UserFiles.h"
 
 #include <algorithm>
 #include <array>
@@ -122,7 +123,10 @@ std::string optionalFiles() {
                        kFacts[3].use);
 }
 
-constexpr const char* kNextStep = "Give the directory of the game's installation, e.g. --dat \"$HOME/ac\"";
+std::string nextStep() {
+    return fmt::format("Give the directory of the game's installation, e.g. --dat {}",
+                       gameDirectoryExample());
+}
 
 Failure noSuchPath(const fs::path& given, const RealPath& real) {
     std::vector<std::string> names;
@@ -134,7 +138,7 @@ Failure noSuchPath(const fs::path& given, const RealPath& real) {
                 fmt::format("there is no such directory; '{}' has no '{}'.{} {} needs {} and {}. {}",
                             real.there.empty() ? "." : real.there.string(), wanted,
                             didYouMean(nearest(wanted, names)), "A world", kFacts[0].name, kFacts[1].name,
-                            kNextStep));
+                            nextStep()));
 }
 
 /// "client_portal.dat: not found; client_cell_1.dat: found in A, B".
@@ -159,11 +163,11 @@ Failure nothingFound(const fs::path& given, const std::vector<Folder>& tried) {
         return fail(ErrorCode::Unsupported, given.string(),
                     fmt::format("portal.dat and cell.dat in {} are game files older than the end of retail; "
                                 "only end-of-retail files ({}, {}) can be read. {}",
-                                older->path.string(), kFacts[0].name, kFacts[1].name, kNextStep));
+                                older->path.string(), kFacts[0].name, kFacts[1].name, nextStep()));
     return fail(ErrorCode::NotFound, given.string(),
                 fmt::format("the game's files are not there together: {}; {}. Tried: {}. {}. {}",
                             whereAbouts(tried, 0), whereAbouts(tried, 1), fmt::join(paths, ", "),
-                            optionalFiles(), kNextStep));
+                            optionalFiles(), nextStep()));
 }
 
 } // namespace
@@ -174,7 +178,7 @@ std::span<const DatFileFact> datFileFacts() {
 
 Result<DatDirectory> findDatDirectory(const fs::path& path) {
     if (path.empty())
-        return fail(ErrorCode::BadArgument, "--dat", fmt::format("is empty. {}", kNextStep));
+        return fail(ErrorCode::BadArgument, "--dat", fmt::format("is empty. {}", nextStep()));
     const RealPath real = realPathOf(path);
     std::error_code error;
     const bool isThere = fs::exists(real.there, error);

@@ -23,6 +23,9 @@ struct UserDirectoryNames {
 };
 [[nodiscard]] UserDirectoryNames userDirectoryNames();
 
+/// A directory of the game as an example in messages, in quotation marks.
+[[nodiscard]] const char* gameDirectoryExample();
+
 /// Paths at which the window's font is searched: beside the program first, then in the system's directories (on Linux
 /// those of Debian's packages).
 [[nodiscard]] std::vector<std::filesystem::path> fontPaths(const std::filesystem::path& program);

@@ -17,7 +17,8 @@ Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch se
     if (!file)
         return Failure(file.error());
     bool isSearched = false;
-    if (!std::filesystem::exists(paths.directory / world::kWorldFileName)) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(paths.directory / world::kWorldFileName, ignored)) {
         isSearched = search == PlaceSearch::Find;
         if (isSearched) {
             file = findPlacesCached(*archive, cacheRoot(), kWorthCaching, progress);
@@ -29,7 +30,7 @@ Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch se
             file->moving.player = kHumanMale;
     }
     std::unique_ptr<PlacedObjects> placed;
-    if (std::filesystem::exists(paths.directory / placements::kWorldDbName)) {
+    if (std::filesystem::exists(paths.directory / placements::kWorldDbName, ignored)) {
         Result<placements::WorldDb> database =
             placements::WorldDb::open(paths.directory / placements::kWorldDbName);
         if (!database)

@@ -27,7 +27,9 @@ public:
             // The region of these is smaller than the part of their outline within their parent's region.
             const bool byRegion = visit.split || OpeningTriangles::isEdgeOn(visit) || visit.narrowed;
             if (byRegion) {
-                openings_.drawWithin(i, set_.region(visit), {0.0, {0, 0, 0, 1}});
+                // As the hole around it, which is painted before and clipped by the parent's region.
+                const double growth = visit.narrowed && frame_.rules.growth ? OpeningTriangles::kGrowth : 0.0;
+                openings_.drawWithin(i, set_.region(visit), {growth, {0, 0, 0, 1}});
             } else if (set_.visits[visit.parent].depth > 0 && frame_.rules.ancestorClip) {
                 const visibility::Visit& parent = set_.visits[visit.parent];
                 openings_.drawWithin(

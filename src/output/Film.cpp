@@ -59,8 +59,8 @@ Result<std::filesystem::path> findFfmpeg(std::string_view searchPath) {
             platform::isProgram(program))
             return program;
     return fail(ErrorCode::NotFound, "ffmpeg",
-                "is not installed, and films need it; install the package ffmpeg, or write pictures with -o "
-                "DIR");
+                "is not installed, and films need it; install it (limen doctor explains how), or write "
+                "pictures with -o DIR");
 }
 
 struct Film::Work {

@@ -84,7 +84,7 @@ void Overlay::fitScale(double scale) {
     ImGui_ImplOpenGL3_CreateFontsTexture();
     applyStyle(static_cast<float>(wanted.units));
     fontNote_ = hasFont ? font_->string()
-                        : "no font file found: a built-in bitmap font; install the package fonts-dejavu-core";
+                        : "no font file found: a built-in bitmap font; limen doctor explains the remedy";
     scale_ = wanted;
     isFitted_ = true;
 }

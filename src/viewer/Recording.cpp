@@ -1,5 +1,6 @@
 #include "viewer/Recording.h"
 
+#include "core/AbsolutePath.h"
 #include "core/platform/Files.h"
 
 #include <algorithm>
@@ -23,7 +24,7 @@ Recording::~Recording() {
 }
 
 Result<void> Recording::open(const std::filesystem::path& file) {
-    file_ = std::filesystem::absolute(file);
+    file_ = absolutePath(file);
     descriptor_ = platform::createFile(file);
     if (descriptor_ < 0)
         return fail(ErrorCode::Unreadable, file_.string(),

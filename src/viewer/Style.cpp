@@ -1,10 +1,14 @@
 #include "viewer/Style.h"
 
+#include "core/platform/FileView.h"
+
 #include <imgui.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <utility>
 
 namespace limen::viewer {
 namespace {
@@ -57,6 +61,22 @@ constexpr std::array<ImWchar, 17> kGlyphs{0x0020, 0x024F, 0x0370, 0x03FF, 0x0400
                                           0x2010, 0x205E, 0x20A0, 0x20BF, 0x2190, 0x21FF,
                                           0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
 
+/// The bytes of a file in ImGui's memory; null and 0 if it cannot be read or is empty. ImGui must not open it: on Windows it
+/// takes the name in the system's code page.
+std::pair<void*, int> readForAtlas(const fs::path& file) {
+    constexpr std::size_t kMostBytes = std::size_t{1} << 28; // no font file is larger
+    const Result<platform::FileView> view = platform::mapFile(file);
+    if (!view)
+        return {};
+    std::pair<void*, int> read;
+    if (view->size > 0 && view->size <= kMostBytes) {
+        read = {ImGui::MemAlloc(view->size), static_cast<int>(view->size)};
+        std::memcpy(read.first, view->data, view->size);
+    }
+    platform::unmapFile(*view);
+    return read;
+}
+
 } // namespace
 
 unsigned styleInk(StyleInk ink, float opacity) {
@@ -106,8 +126,10 @@ bool applyFont(const std::optional<fs::path>& file, float pixels) {
     ImFontConfig config;
     config.OversampleH = 2;
     config.OversampleV = 1;
-    if (file && atlas.AddFontFromFileTTF(file->string().c_str(), std::round(pixels), &config,
-                                         kGlyphs.data()) != nullptr)
+    const auto [bytes, size] = file ? readForAtlas(*file) : std::pair<void*, int>();
+    if (bytes != nullptr &&
+        atlas.AddFontFromMemoryTTF(bytes, size, std::round(pixels), &config, // frees the bytes
+                                   kGlyphs.data()) != nullptr)
         return true;
     ImFontConfig own;
     own.SizePixels = std::round(pixels * 13.0f / kLetterSize); // ImGui's own font is made for 13 pixels

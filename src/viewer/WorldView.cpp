@@ -1,5 +1,6 @@
 #include "viewer/WorldView.h"
 
+#include "core/AbsolutePath.h"
 #include "engine/CheckView.h"
 #include "output/RegionOverlay.h"
 #include "viewer/Screenshots.h"
@@ -188,7 +189,7 @@ Result<std::filesystem::path> WorldView::keepPicture(const std::filesystem::path
     const std::string command = commandOf(request());
     if (Result<void> drawn = draw(); !drawn) // with the pulse and the images of ids again
         return Failure(drawn.error());
-    return keepScreenshot(std::filesystem::absolute(directory), picture, command);
+    return keepScreenshot(absolutePath(directory), picture, command);
 }
 
 std::string WorldView::commandOf(const engine::FrameRequest& request) const {

@@ -1,4 +1,5 @@
-// Hard cases 45 to 47 of docs/cases.md: cells that overlap in a loop, walls a millimetre apart, bent openings.
+// Hard cases 45 to 48 of docs/cases.md: cells that overlap in a loop, walls a millimetre apart, bent openings, holes of
+// inexact pairs.
 #include "picture/CaseHelp.h"
 
 namespace limen::test {
@@ -125,6 +126,33 @@ TEST_P(CasesNear, case47_anOpeningWhoseCornersAreOffItsPlane) {
             EXPECT_EQ(verdict.findings(), 0u) << before << " " << yaw;
             EXPECT_GT(pixelsOfRecord(pictures, picture, world.id(b)), 5000u) << before << " " << yaw;
         }
+    }
+}
+
+TEST_P(CasesNear, case48_anInexactPairBehindTwoOpeningsWithACommonEdge) {
+    TestWorld world;
+    const auto a = world.addBox({80, 80, -12}, {84, 84, -9}, "brown"),
+               b = world.addBox({84, 80, -12}, {88, 84, -9}, "blue"),
+               c = world.addBox({88, 80, -12}, {92, 84, -9}, "red");
+    const Vec3 low(84, 80.5, -11.9), right(84, 83.4, -11.8), high(84, 83.3, -9.2), left(84, 80.6, -9.3);
+    world.link(a, {low, right, high}, b);
+    world.link(a, {low, high, left}, b);
+    TestWorld::LinkOptions inexact;
+    inexact.exact = false;
+    inexact.polygonInB = regularPolygon({88, 82.03, -10.48}, {1, 0, 0}, 1.1, 7);
+    world.link(b, regularPolygon({88, 82, -10.5}, {1, 0, 0}, 1.1, 7), c, inexact);
+    PictureWorld pictures(world, options());
+    pictures.width = 160;
+    pictures.height = 90;
+    pictures.fov = 9;
+    const world::SpaceIndex space = pictures.space(world.id(a));
+    for (int i = 0; i < 60; ++i) { // along the common edge, from eyes all over the room
+        const Vec3 eye(80.5 + 0.05 * i, 80.6 + 0.0531 * (i * 7 % 60), -11.7 + 0.0411 * (i * 11 % 60));
+        const Vec3 to = glm::mix(low, high, 0.2 + 0.6 * (i * 13 % 60) / 60.0) - eye;
+        const frame::FrameView view =
+            pictures.look(eye, glm::degrees(std::atan2(to.x, to.y)),
+                          glm::degrees(std::atan2(to.z, std::hypot(to.x, to.y))), space);
+        EXPECT_EQ(pictures.judge(pictures.shoot(view)).findings(), 0u) << "view " << i;
     }
 }
 

@@ -12,14 +12,17 @@
 
 namespace {
 
+constexpr std::size_t kBufferBytes = std::size_t{1} << 16;
+
 /// Files and streams have the bytes that were written, as on other systems.
 void setBinary() {
     _fmode = _O_BINARY;
     for (std::FILE* file : {stdin, stdout, stderr})
         if (_fileno(file) >= 0)
             _setmode(_fileno(file), _O_BINARY);
-    // The C library of Windows has no buffer for lines.
-    (void)std::setvbuf(stderr, nullptr, _IONBF, 0);
+    // Without a buffer, the C library writes single bytes to a console, which then shows no letter beyond ASCII.
+    for (std::FILE* file : {stdout, stderr})
+        (void)std::setvbuf(file, nullptr, _IOFBF, kBufferBytes);
 }
 
 limen::cli::Exit run(const std::vector<std::string>& arguments) {

@@ -1,5 +1,6 @@
 #include "cli/Choices.h"
 #include "cli/world/WorldVerbs.h"
+#include "core/AbsolutePath.h"
 #include "core/NumberText.h"
 #include "core/platform/Environment.h"
 #include "engine/DatDirectory.h"
@@ -38,10 +39,8 @@ Result<std::filesystem::path> outputOf(const WorldImportArguments& arguments) {
 std::string sourceText(const std::vector<std::string>& sources) {
     std::string text;
     for (const std::string& source : sources) {
-        std::error_code ignored;
         const bool isUrl = placements::isServerUrl(source);
-        text += (text.empty() ? "" : ", ") +
-                (isUrl ? source : std::filesystem::absolute(source, ignored).string());
+        text += (text.empty() ? "" : ", ") + (isUrl ? source : absolutePath(source).string());
     }
     return text;
 }

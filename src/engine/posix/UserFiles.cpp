@@ -36,6 +36,10 @@ UserDirectoryNames userDirectoryNames() {
     return {"XDG_CACHE_HOME", "XDG_CONFIG_HOME", "HOME", "HOME"};
 }
 
+const char* gameDirectoryExample() {
+    return "\"$HOME/ac\"";
+}
+
 std::vector<fs::path> fontPaths(const fs::path& program) {
     constexpr std::array kNames{"DejaVuSans.ttf", "NotoSans-Regular.ttf", "LiberationSans-Regular.ttf"};
     std::vector<fs::path> paths;

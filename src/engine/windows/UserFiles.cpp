@@ -29,6 +29,10 @@ UserDirectoryNames userDirectoryNames() {
     return kVariables;
 }
 
+const char* gameDirectoryExample() {
+    return "\"C:\\Turbine\\Asheron's Call\"";
+}
+
 std::vector<fs::path> fontPaths(const fs::path& program) {
     std::vector<fs::path> paths;
     const fs::path beside = program.parent_path();

@@ -17,8 +17,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char** environ;
-
 namespace limen::output {
 namespace {
 
@@ -86,6 +84,7 @@ struct FilmProcess::State {
 
     bool spawn(const std::filesystem::path& ffmpeg, std::vector<std::string> arguments, int input) {
         std::vector<char*> pointers;
+        pointers.reserve(arguments.size() + 1);
         for (std::string& argument : arguments)
             pointers.push_back(argument.data());
         pointers.push_back(nullptr);
@@ -98,7 +97,8 @@ struct FilmProcess::State {
         (void)::posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
         (void)::posix_spawn_file_actions_adddup2(&actions, messages, 2);
         (void)::posix_spawn_file_actions_adddup2(&actions, film, kFilmDescriptor);
-        const int error = ::posix_spawn(&id, ffmpeg.c_str(), &actions, &attributes, pointers.data(), environ);
+        const int error =
+            ::posix_spawn(&id, ffmpeg.c_str(), &actions, &attributes, pointers.data(), ::environ);
         (void)::posix_spawn_file_actions_destroy(&actions);
         (void)::posix_spawnattr_destroy(&attributes);
         if (error != 0)

@@ -29,6 +29,16 @@ Failure damaged(const std::filesystem::path& path, archive* open) {
     return archive_read_open_filename_w(archive, name, block);
 }
 
+/// Windows has the wide name alone if the name has letters beyond ASCII. Empty without a name.
+std::string nameOf(archive_entry* entry) {
+    if (const char* name = archive_entry_pathname_utf8(entry); name != nullptr)
+        return name;
+    if (const wchar_t* name = archive_entry_pathname_w(entry); name != nullptr)
+        return std::filesystem::path(name).generic_string();
+    const char* name = archive_entry_pathname(entry);
+    return name != nullptr ? name : "";
+}
+
 } // namespace
 
 Result<void>
@@ -55,10 +65,8 @@ readArchive(const std::filesystem::path& path,
             return damaged(path, open.get());
         if (++entries > kMostEntries)
             return fail(ErrorCode::Unsupported, path.string(), "more than 2,000,000 files");
-        const char* name = archive_entry_pathname_utf8(entry);
-        if (name == nullptr)
-            name = archive_entry_pathname(entry);
-        if (archive_entry_filetype(entry) != AE_IFREG || name == nullptr)
+        const std::string name = nameOf(entry);
+        if (archive_entry_filetype(entry) != AE_IFREG || name.empty())
             continue;
         const std::int64_t size = archive_entry_size_is_set(entry) != 0 ? archive_entry_size(entry) : 0;
         const ReadBytes bytes = [&](std::span<char> buffer) -> Result<std::size_t> {

@@ -1,5 +1,7 @@
 #include "viewer/open/PathCompletion.h"
 
+#include "core/AbsolutePath.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -87,10 +89,7 @@ std::string directoryOfDrop(const fs::path& path) {
 std::string absoluteDirectory(const std::string& directory) {
     if (directory.empty())
         return {};
-    std::error_code error;
-    const fs::path whole = fs::absolute(directory, error).lexically_normal();
-    if (error)
-        return directory;
+    const fs::path whole = absolutePath(directory).lexically_normal();
     const bool endsWithSeparator = !whole.has_filename() && whole.has_relative_path();
     return (endsWithSeparator ? whole.parent_path() : whole).string();
 }

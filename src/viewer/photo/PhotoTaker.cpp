@@ -1,5 +1,6 @@
 #include "viewer/photo/PhotoTaker.h"
 
+#include "core/AbsolutePath.h"
 #include "core/Assert.h"
 #include "output/Picture.h"
 #include "viewer/Screenshots.h"
@@ -51,7 +52,7 @@ Result<std::optional<std::filesystem::path>> PhotoTaker::step(engine::Session& s
     Result<std::filesystem::path> saved = file_.get();
     if (!saved)
         return Failure(saved.error());
-    return std::filesystem::absolute(*saved);
+    return absolutePath(*saved);
 }
 
 double PhotoTaker::progress() const {

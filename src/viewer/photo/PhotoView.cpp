@@ -1,5 +1,7 @@
 #include "viewer/photo/PhotoView.h"
 
+#include "core/AbsolutePath.h"
+
 #include <fmt/format.h>
 
 namespace limen::viewer {
@@ -60,8 +62,8 @@ void PhotoView::begin(const std::filesystem::path& directory, const CommandOf& c
     if (supersample > 1)
         command += fmt::format(" --supersample {}", supersample);
     saved_.clear();
-    const Result<void> begun = taker_.begin(session_, picture, supersample,
-                                            std::filesystem::absolute(directory), std::move(command));
+    const Result<void> begun =
+        taker_.begin(session_, picture, supersample, absolutePath(directory), std::move(command));
     fault_ = begun ? std::string() : begun.error().message();
 }
 

@@ -83,16 +83,23 @@ HGLRC contextOn(HDC device, bool debug, ContextProfile profile) {
     return context;
 }
 
+/// libepoxy keeps a table of functions for each thread. The table of a new thread is empty, also for the call that makes a
+/// context current, until libepoxy is told of such a call.
+void prepareThread() {
+    epoxy_handle_external_wglMakeCurrent();
+}
+
 } // namespace
 
 Result<HeadlessContext> HeadlessContext::create(bool debug, ContextProfile profile) {
+    prepareThread();
     const HWND window = hiddenWindow();
     if (window == nullptr)
         return refusedBySystem("no window can be made");
     const HDC device = GetDC(window);
     const HGLRC context = choosePixelFormat(device) ? contextOn(device, debug, profile) : nullptr;
     if (context != nullptr) {
-        epoxy_handle_external_wglMakeCurrent(); // functions of the old context count no longer
+        prepareThread(); // functions of the old context count no longer
         return HeadlessContext(window, context);
     }
     const Failure failure = refusedBySystem("the driver made none");
@@ -110,6 +117,7 @@ HeadlessContext& HeadlessContext::operator=(HeadlessContext&& other) noexcept {
 }
 
 Result<void> HeadlessContext::makeCurrent() {
+    prepareThread();
     if (wglMakeCurrent(GetDC(static_cast<HWND>(display_)), static_cast<HGLRC>(context_)) == 0)
         return fail(ErrorCode::Driver, "WGL",
                     "the context cannot be made current: " + platform::errorText(GetLastError()));
