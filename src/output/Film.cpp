@@ -58,9 +58,9 @@ Result<std::filesystem::path> findFfmpeg(std::string_view searchPath) {
         if (std::filesystem::path program = directory / platform::programFileName("ffmpeg");
             platform::isProgram(program))
             return program;
-    return fail(ErrorCode::NotFound, "ffmpeg",
-                "is not installed, and films need it; install it (limen doctor explains how), or write "
-                "pictures with -o DIR");
+    return fail(
+        ErrorCode::NotFound, "ffmpeg",
+        fmt::format("is not installed, and films need it; {}, or write pictures with -o DIR", kFfmpegAdvice));
 }
 
 struct Film::Work {

@@ -11,6 +11,9 @@
 
 namespace limen::output {
 
+/// The way to get ffmpeg on this system, an imperative clause.
+extern const char* const kFfmpegAdvice;
+
 /// A running ffmpeg, its input, its messages and the film that it writes.
 class FilmProcess {
 public:

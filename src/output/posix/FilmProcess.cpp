@@ -18,6 +18,8 @@
 #include <unistd.h>
 
 namespace limen::output {
+
+const char* const kFfmpegAdvice = "install the package ffmpeg";
 namespace {
 
 constexpr int kFilmDescriptor = 3; ///< of ffmpeg's output in the child process

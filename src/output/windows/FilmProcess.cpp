@@ -13,6 +13,8 @@
 #include <windows.h>
 
 namespace limen::output {
+
+const char* const kFfmpegAdvice = "put ffmpeg.exe into a directory of PATH";
 namespace {
 
 namespace fs = std::filesystem;
