@@ -36,7 +36,7 @@ constexpr std::array kSwitchNames{GL_CULL_FACE,
                                   GL_SAMPLE_SHADING,
                                   GL_MULTISAMPLE};
 
-constexpr GLuint kFirstUnit = 0; // all units are saved
+constexpr GLuint kFirstSavedUnit = 0; // all units are saved
 
 constexpr std::array kPixelStoreNames{
     GL_PACK_SWAP_BYTES,    GL_PACK_LSB_FIRST,      GL_PACK_ROW_LENGTH,    GL_PACK_SKIP_ROWS,
@@ -242,7 +242,7 @@ void SavedGlState::restoreBindings() const {
         bindRange(GL_SHADER_STORAGE_BUFFER, i, storage_[i].buffer, storage_[i].offset, storage_[i].size);
     for (std::size_t i = 0; i < kBuffers; ++i) // after the ranges, which change the general binding, too
         glBindBuffer(kBufferBindings[i].target, static_cast<GLuint>(buffers_[i]));
-    glBindTextures(kFirstUnit, static_cast<GLsizei>(unitCount_), nullptr); // of all targets
+    glBindTextures(kFirstSavedUnit, static_cast<GLsizei>(unitCount_), nullptr); // of all targets
     for (std::size_t unit = 0; unit < unitCount_; ++unit) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
         for (std::size_t i = 0; i < kTextureTargets; ++i)
