@@ -71,10 +71,13 @@ TEST(FrameDrawer, reportsTheSurfaceAtAPixel) {
 }
 
 TEST(FrameDrawer, drawsEqualDescriptionsAlike) {
-    FrameDrawer first = FrameDrawer::headless(village()).value(),
-                second = FrameDrawer::headless(village()).value();
-    ASSERT_TRUE(first.draw(frameAt("lane")));
-    const std::vector<std::uint8_t> lane = first.readColour().value();
+    std::vector<std::uint8_t> lane;
+    {
+        FrameDrawer first = FrameDrawer::headless(village()).value();
+        ASSERT_TRUE(first.draw(frameAt("lane")));
+        lane = first.readColour().value();
+    } // zink on lavapipe crashes when a second context draws while the first one exists (decision 103)
+    FrameDrawer second = FrameDrawer::headless(village()).value();
     ASSERT_TRUE(second.draw(frameAt("inn.hall")));
     EXPECT_NE(second.readColour().value(), lane);
     ASSERT_TRUE(second.draw(frameAt("lane")));
