@@ -131,7 +131,7 @@ private:
             const bool alongY = side == Side::West || side == Side::East;
             const Rect& r = way.opening.rect;
             if (side != Side::Floor && side != Side::Ceiling) {
-                const double at = planeOfSide(room, side);
+                const double at = planeOfSide(room.spec.min, room.spec.max, side);
                 // A door between rooms is listed once.
                 if (way.to == CellLink::kOutside || way.to > index) {
                     out_.openings.push_back({index, portal,
@@ -151,19 +151,6 @@ private:
         if (props_.furnished)
             furnishRoom(cell.statics, room.spec, openings, room.use, props_, apartFrom(random_));
         out_.plan.cells.push_back(std::move(cell));
-    }
-
-    static double planeOfSide(const Room& room, Side side) {
-        switch (side) {
-        case Side::West:
-            return room.spec.min.x;
-        case Side::East:
-            return room.spec.max.x;
-        case Side::South:
-            return room.spec.min.y;
-        default:
-            return room.spec.max.y;
-        }
     }
 
     void furnish(CellPlan& cell, const Room& room) {

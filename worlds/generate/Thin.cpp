@@ -42,22 +42,8 @@ bool isAlongY(Side side) {
     return side == Side::West || side == Side::East;
 }
 
-double planeOfSide(const ThinRoom& room, Side side) {
-    switch (side) {
-    case Side::West:
-        return room.min.x;
-    case Side::East:
-        return room.max.x;
-    case Side::South:
-        return room.min.y;
-    case Side::North:
-        return room.max.y;
-    case Side::Floor:
-        return room.min.z;
-    case Side::Ceiling:
-        break;
-    }
-    return room.max.z;
+double planeOf(const ThinRoom& room, Side side) {
+    return planeOfSide(room.min, room.max, side);
 }
 
 Rect rectOfSide(const ThinRoom& room, Side side) {
@@ -151,7 +137,7 @@ private:
 
     void join(std::uint32_t a, std::uint32_t b, Side side) {
         const Side back = side == Side::East ? Side::West : Side::South;
-        const double first = planeOfSide(rooms_[a], side), second = planeOfSide(rooms_[b], back);
+        const double first = planeOf(rooms_[a], side), second = planeOf(rooms_[b], back);
         const Rect along = rectOfSide(rooms_[a], side);
         const Rect rect = hole(along.u0, along.u1);
         const std::array<double, 3> planes{first, second, 0.5 * (first + second)};
@@ -180,7 +166,7 @@ private:
         if (!plan_.exits.empty() && random_.chance(0.4))
             return;
         ThinRoom& room = rooms_[r];
-        const double inner = planeOfSide(room, side);
+        const double inner = planeOf(room, side);
         const Rect along = rectOfSide(room, side);
         const std::array<double, 3> planes{inner, outer, 0.5 * (inner + outer)};
         plan_.exits.push_back({r, static_cast<std::uint16_t>(room.openings.size())});
@@ -203,11 +189,11 @@ private:
                 if (opening.side == side)
                     holes.push_back(opening.rect);
             for (const Rect& rect : withoutHoles(rectOfSide(room, side), holes))
-                cell.faces.push_back(planarFace(rectOnSide(side, planeOfSide(room, side), rect),
+                cell.faces.push_back(planarFace(rectOnSide(side, planeOf(room, side), rect),
                                                 side == Side::Floor ? Material::Planks : walls));
         }
         for (const ThinOpening& opening : room.openings) {
-            const double wall = planeOfSide(room, opening.side);
+            const double wall = planeOf(room, opening.side);
             for (Face& face : revealsOf(opening.side, opening.rect, wall, opening.plane))
                 cell.faces.push_back(std::move(face));
             if (opening.link.cell == CellLink::kOutside || opening.side == Side::East ||
@@ -254,12 +240,12 @@ private:
                 if (opening.side != side)
                     continue;
                 holes.push_back(opening.rect);
-                for (Face& face : revealsOf(side, opening.rect, planeOfSide(whole, side), opening.plane))
+                for (Face& face : revealsOf(side, opening.rect, planeOf(whole, side), opening.plane))
                     mesh.add(std::move(face));
             }
             for (const Rect& rect : withoutHoles(rectOfSide(whole, side), holes))
                 mesh.add(
-                    flipped(planarFace(rectOnSide(side, planeOfSide(whole, side), rect), Material::Plaster)));
+                    flipped(planarFace(rectOnSide(side, planeOf(whole, side), rect), Material::Plaster)));
         }
         for (const BuildingPlan::Exit& exit : plan_.exits) {
             const ThinOpening& opening = rooms_[exit.cell].openings[exit.portal];

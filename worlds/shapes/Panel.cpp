@@ -41,6 +41,24 @@ std::vector<Rect> withoutHoles(const Rect& whole, const std::vector<Rect>& holes
     return out;
 }
 
+double planeOfSide(const Vec3& min, const Vec3& max, Side side) {
+    switch (side) {
+    case Side::West:
+        return min.x;
+    case Side::East:
+        return max.x;
+    case Side::South:
+        return min.y;
+    case Side::North:
+        return max.y;
+    case Side::Floor:
+        return min.z;
+    case Side::Ceiling:
+        break;
+    }
+    return max.z;
+}
+
 std::vector<Vec3> rectOnSide(Side side, double at, const Rect& r) {
     switch (side) {
     case Side::West:

@@ -14,6 +14,8 @@ struct Rect {
 
 /// The six sides of an upright box, seen from inside.
 enum class Side { West, East, South, North, Floor, Ceiling };
+/// The coordinate of a side's plane: x, y or z.
+[[nodiscard]] double planeOfSide(const Vec3& min, const Vec3& max, Side side);
 /// The rectangle as four points in the side's plane (at x, y or z = `at`), counter-clockwise seen from inside
 /// the box. u,v are (y,z) on West and East, (x,z) on South and North, (x,y) on Floor and Ceiling.
 [[nodiscard]] std::vector<Vec3> rectOnSide(Side side, double at, const Rect& rect);

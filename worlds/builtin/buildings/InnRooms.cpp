@@ -10,24 +10,6 @@ namespace inn {
 
 namespace {
 
-double planeOn(const RoomSpec& room, Side side) {
-    switch (side) {
-    case Side::West:
-        return room.min.x;
-    case Side::East:
-        return room.max.x;
-    case Side::South:
-        return room.min.y;
-    case Side::North:
-        return room.max.y;
-    case Side::Floor:
-        return room.min.z;
-    case Side::Ceiling:
-        break;
-    }
-    return room.max.z;
-}
-
 /// The doors and windows in outer walls of this room.
 std::vector<Opening> outerOpenings(const RoomSpec& room) {
     std::vector<Opening> out;
@@ -40,7 +22,7 @@ std::vector<Opening> outerOpenings(const RoomSpec& room) {
                                                          : 10.7;
             const double from = alongY ? room.min.y : room.min.x;
             const double to = alongY ? room.max.y : room.max.x;
-            if (planeOn(room, o.side) == outer && o.rect.u0 > from && o.rect.u1 < to &&
+            if (planeOfSide(room.min, room.max, o.side) == outer && o.rect.u0 > from && o.rect.u1 < to &&
                 o.rect.v0 >= room.min.z && o.rect.v1 <= room.max.z)
                 out.push_back(o);
         }
@@ -71,7 +53,7 @@ CellPlan furnished(ModelWriter& writer, const RoomSpec& room, std::vector<Openin
     std::vector<WallOpening> framed;
     for (const Opening& o : openings)
         if (o.side != Side::Floor && o.side != Side::Ceiling)
-            framed.push_back({o, planeOn(room, o.side)});
+            framed.push_back({o, planeOfSide(room.min, room.max, o.side)});
     cell.statics = std::move(statics);
     cell.statics.push_back({addTrim(writer, framed, room.min.z), {}});
     return cell;
