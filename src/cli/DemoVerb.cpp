@@ -6,6 +6,7 @@
 #include "worlds/Generated.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <memory>
@@ -25,44 +26,43 @@ struct DemoChoice {
     bool tuned = false; ///< true if an option for generated worlds was given
 };
 
-/// nullopt: the built-in world.
-std::optional<GeneratedKind> kindOf(std::string_view name) {
-    if (name == "dungeon")
-        return GeneratedKind::Dungeon;
-    if (name == "town")
-        return GeneratedKind::Town;
-    if (name == "complex")
-        return GeneratedKind::Complex;
-    if (name == "terrain")
-        return GeneratedKind::Terrain;
-    if (name == "map")
-        return GeneratedKind::Map;
-    if (name == "skewed")
-        return GeneratedKind::Skewed;
-    if (name == "thin")
-        return GeneratedKind::Thin;
-    if (name == "nested")
-        return GeneratedKind::Nested;
-    return std::nullopt;
+/// A kind of generated world by its name, and the memory for writing it: bytes for each unit of size, measured on worlds of
+/// the largest sizes, with a third as reserve.
+struct NamedKind {
+    std::string_view name;
+    GeneratedKind kind;
+    std::uint64_t bytesEach;
+};
+constexpr std::array kKinds{NamedKind{"dungeon", GeneratedKind::Dungeon, 6'000},
+                            NamedKind{"town", GeneratedKind::Town, 190'000},
+                            NamedKind{"complex", GeneratedKind::Complex, 110'000},
+                            NamedKind{"terrain", GeneratedKind::Terrain, 200'000},
+                            NamedKind{"map", GeneratedKind::Map, 8'500},
+                            NamedKind{"skewed", GeneratedKind::Skewed, 140'000},
+                            NamedKind{"thin", GeneratedKind::Thin, 20'000},
+                            NamedKind{"nested", GeneratedKind::Nested, 40'000}};
+
+/// Null: the built-in world.
+const NamedKind* kindOf(std::string_view name) {
+    const auto* const found =
+        std::find_if(kKinds.begin(), kKinds.end(), [&](const NamedKind& each) { return each.name == name; });
+    return found != kKinds.end() ? found : nullptr;
 }
 
-/// Memory for writing a world: measured on worlds of the largest sizes, with a third as reserve.
-std::uint64_t bytesToWrite(GeneratedKind kind, std::uint64_t size) {
+std::uint64_t bytesToWrite(const NamedKind& kind, std::uint64_t size) {
     constexpr std::uint64_t kProgram = 100'000'000;
-    constexpr std::array<std::uint64_t, 8> kEach{6'000, 190'000, 110'000, 200'000,
-                                                 8'500, 110'000, 110'000, 110'000}; // by GeneratedKind
-    return kProgram + size * kEach.at(static_cast<std::size_t>(kind));
+    return kProgram + size * kind.bytesEach;
 }
 
 Result<Exit> write(const DemoChoice& chosen, const Console& console) {
     const std::string& directory = chosen.output.empty() ? chosen.directory : chosen.output;
-    const std::optional<GeneratedKind> kind = kindOf(chosen.kind);
+    const NamedKind* const kind = kindOf(chosen.kind);
     if (directory.empty() || !(chosen.directory.empty() || chosen.output.empty()))
         return fail(ErrorCode::BadArgument, "demo", "give one directory to write to, either DIR or -o DIR");
-    if (!kind && chosen.tuned)
+    if (kind == nullptr && chosen.tuned)
         return fail(ErrorCode::BadArgument, "demo",
                     "--size, --seed, --overlap and --bare need a generated world; choose one with --kind");
-    if (kind) {
+    if (kind != nullptr) {
         if (Result<void> fits =
                 engine::checkMemory("--size", fmt::format("a {} of size {}", chosen.kind, chosen.size),
                                     bytesToWrite(*kind, chosen.size), engine::availableMemory());
@@ -73,15 +73,15 @@ Result<Exit> write(const DemoChoice& chosen, const Console& console) {
         return Failure(made.error());
     std::optional<Waiting> waiting(std::in_place, console, "writing the world");
     const Result<void> written =
-        kind ? worlds::writeGeneratedWorld({*kind, chosen.size, chosen.seed, chosen.overlap, !chosen.bare},
-                                           directory)
-             : worlds::writeBuiltInWorld(directory);
+        kind != nullptr ? worlds::writeGeneratedWorld(
+                              {kind->kind, chosen.size, chosen.seed, chosen.overlap, !chosen.bare}, directory)
+                        : worlds::writeBuiltInWorld(directory);
     waiting.reset();
     if (!written)
         return Failure(written.error());
     const std::string title =
-        kind ? fmt::format("a {} of size {}, seed {}", chosen.kind, chosen.size, chosen.seed)
-             : "the built-in world";
+        kind != nullptr ? fmt::format("a {} of size {}, seed {}", chosen.kind, chosen.size, chosen.seed)
+                        : "the built-in world";
     console.wrote(directory, fmt::format("{} as client_portal.dat, client_cell_1.dat and world.json", title));
     return Exit::Done;
 }

@@ -15,6 +15,7 @@ inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max()
 
 /// A space as the caller describes it: a run of portals, and its zone. The spaces of one zone must be
 /// connected, closed and pairwise disjoint, so that inside it depth alone decides which surface is in front.
+/// No space of a zone may have a wall in the plane of, and right behind, an opening that leads out of the zone.
 /// If the caller cannot guarantee that, every space needs a zone of its own.
 struct SpaceDesc {
     std::uint32_t firstPortal = 0, portalCount = 0;

@@ -59,7 +59,7 @@ typedef struct limen_vec3 {
 } limen_vec3;
 
 /* A space: a run of portals, and its zone. Give each space a zone of its own, unless all spaces of the zone are connected,
-   closed and disjoint. */
+   closed and disjoint, without a wall right behind an opening that leads out of it. */
 typedef struct limen_space {
     uint32_t first_portal, portal_count;
     uint32_t zone;
