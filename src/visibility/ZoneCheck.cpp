@@ -14,7 +14,7 @@ namespace limen::visibility {
 namespace {
 
 /// A portal or a wall of a space in a zone of several spaces.
-struct Side {
+struct ZoneSide {
     std::uint32_t zone = 0, space = 0;
     std::uint32_t portal = kNone; ///< kNone: a wall
     std::span<const Vec3> polygon;
@@ -22,7 +22,7 @@ struct Side {
     bool leadsOut = false; ///< a portal out of the zone
 };
 
-std::string nameOf(const Graph& graph, std::uint32_t portal) {
+std::string portalName(const Graph& graph, std::uint32_t portal) {
     const Graph::Portal& p = graph.portals()[portal];
     const std::string end = p.destination == kNone ? " to nowhere" : " to space " + std::to_string(p.destination);
     return "portal " + std::to_string(portal) + ", from space " + std::to_string(p.space) + end;
@@ -56,7 +56,7 @@ Result<void> checkPairs(const Graph& graph) {
         const Graph::Portal& portal = graph.portals()[i];
         if (!portal.withinZone || (portal.exact && portal.reciprocal != kNone))
             continue;
-        return fail(ErrorCode::BadArgument, nameOf(graph, i),
+        return fail(ErrorCode::BadArgument, portalName(graph, i),
                     std::string("leads to a space of the same zone, and ") +
                         (portal.reciprocal == kNone ? "has no reciprocal" : "its reciprocal has another polygon") +
                         "; give the two spaces different zones");
@@ -98,10 +98,10 @@ Result<void> checkConnected(const Graph& graph) {
     return {};
 }
 
-std::vector<Side> sidesOf(const Graph& graph, std::span<const WallDesc> walls, std::span<const Vec3> vertices) {
+std::vector<ZoneSide> zoneSidesOf(const Graph& graph, std::span<const WallDesc> walls, std::span<const Vec3> vertices) {
     const auto sizes = sizesOf(graph);
-    std::vector<Side> sides;
-    const auto add = [&](Side side) {
+    std::vector<ZoneSide> sides;
+    const auto add = [&](ZoneSide side) {
         side.zone = graph.spaces()[side.space].zone;
         if (sizes.at(side.zone) < 2 || side.polygon.size() < 3)
             return;
@@ -119,15 +119,15 @@ std::vector<Side> sidesOf(const Graph& graph, std::span<const WallDesc> walls, s
     return sides;
 }
 
-int longestAxisOf(std::span<const Side> sides) {
+int longestAxisOf(std::span<const ZoneSide> sides) {
     Aabb all;
-    for (const Side& side : sides)
+    for (const ZoneSide& side : sides)
         all.include(side.box);
     const Vec3 size = all.max - all.min;
     return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
 }
 
-bool isBehind(const Graph& graph, const Side& side, const Side& opening) {
+bool isRightBehind(const Graph& graph, const ZoneSide& side, const ZoneSide& opening) {
     if (!opening.leadsOut || side.zone != opening.zone || side.space == opening.space)
         return false;
     for (int axis = 0; axis < 3; ++axis)
@@ -138,27 +138,27 @@ bool isBehind(const Graph& graph, const Side& side, const Side& opening) {
                            kOverlapTolerance);
 }
 
-Result<void> refuse(const Graph& graph, const Side& side, const Side& opening) {
+Result<void> refuseZone(const Graph& graph, const ZoneSide& side, const ZoneSide& opening) {
     const std::string part = side.portal == kNone ? "a wall" : "portal " + std::to_string(side.portal);
-    return fail(ErrorCode::BadArgument, nameOf(graph, opening.portal),
+    return fail(ErrorCode::BadArgument, portalName(graph, opening.portal),
                 "leads out of the zone, and " + part + " of space " + std::to_string(side.space) +
                     ", which is in the same zone, is right behind it; give space " + std::to_string(side.space) +
                     " a zone of its own");
 }
 
 /// Compares sides whose boxes overlap along the longest axis.
-Result<void> checkBehind(const Graph& graph, std::vector<Side> sides) {
+Result<void> checkBehind(const Graph& graph, std::vector<ZoneSide> sides) {
     const int axis = longestAxisOf(sides);
     std::sort(sides.begin(), sides.end(),
-              [&](const Side& a, const Side& b) { return a.box.min[axis] < b.box.min[axis]; });
+              [&](const ZoneSide& a, const ZoneSide& b) { return a.box.min[axis] < b.box.min[axis]; });
     for (std::size_t a = 0; a < sides.size(); ++a) {
         for (std::size_t b = a + 1; b < sides.size(); ++b) {
             if (sides[b].box.min[axis] > sides[a].box.max[axis] + kInPlaneTolerance)
                 break;
-            if (isBehind(graph, sides[b], sides[a]))
-                return refuse(graph, sides[b], sides[a]);
-            if (isBehind(graph, sides[a], sides[b]))
-                return refuse(graph, sides[a], sides[b]);
+            if (isRightBehind(graph, sides[b], sides[a]))
+                return refuseZone(graph, sides[b], sides[a]);
+            if (isRightBehind(graph, sides[a], sides[b]))
+                return refuseZone(graph, sides[a], sides[b]);
         }
     }
     return {};
@@ -173,7 +173,7 @@ Result<void> checkZones(const Graph& graph, std::span<const WallDesc> walls, std
         return paired;
     if (Result<void> connected = checkConnected(graph); !connected)
         return connected;
-    return checkBehind(graph, sidesOf(graph, walls, vertices));
+    return checkBehind(graph, zoneSidesOf(graph, walls, vertices));
 }
 
 } // namespace limen::visibility
