@@ -153,12 +153,12 @@ protected:
 };
 
 TEST_F(WorldHealthTest, namesMissingRecords) {
-    portal = dat::Writer(dat::FileTraits::portal()).build();
+    portal = *dat::Writer(dat::FileTraits::portal()).build();
     const Findings findings = world();
     EXPECT_EQ(outcomeOf(findings, "region"), Outcome::Failed);
     EXPECT_EQ(outcomeOf(findings, "land and cells"), Outcome::Ok);
     EXPECT_EQ(outcomeOf(findings, "shapes"), Outcome::Warning) << "no surfaces";
-    cell = dat::Writer(dat::FileTraits::cell()).build();
+    cell = *dat::Writer(dat::FileTraits::cell()).build();
     EXPECT_EQ(outcomeOf(world(), "land and cells"), Outcome::Failed);
     EXPECT_EQ(outcomeOf(world(), "region"), Outcome::Warning) << "without landscape";
 }

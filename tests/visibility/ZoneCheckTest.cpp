@@ -68,7 +68,7 @@ TEST(ZoneCheck, letsOtherWallsBe) {
 TEST(ZoneCheck, findsAPortalBehindAnOpeningWithoutWalls) {
     Rooms rooms;
     rooms.builder.addOpening({.from = rooms.b, .to = rooms.attic, .polygon = upright(2.5, 4, 0.5, 4)});
-    EXPECT_EQ(rooms.fault(), "portal 1, from space 0 to space 3: leads out of the zone, and portal 4 of space 2, which is in "
+    EXPECT_EQ(rooms.fault(), "portal 1, from space 0 to space 3: leads out of the zone, and portal 5 of space 2, which is in "
                              "the same zone, is right behind it; give space 2 a zone of its own");
 }
 
