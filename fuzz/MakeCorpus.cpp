@@ -50,9 +50,9 @@ bool saveFiles(const fs::path& directory) {
             for (RecordId id = 1; id <= count; ++id)
                 writer.add(id * 3, Bytes(id % 7 == 0 ? 150 : id % 5, static_cast<std::byte>(id)),
                            id % 4 == 0);
-            good =
-                save(directory / (std::to_string(blockSize) + "-" + std::to_string(count)), *writer.build()) &&
-                good;
+            good = save(directory / (std::to_string(blockSize) + "-" + std::to_string(count)),
+                        *writer.build()) &&
+                   good;
         }
     }
     return good;

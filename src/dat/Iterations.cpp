@@ -1,6 +1,5 @@
 #include "dat/Iterations.h"
 
-
 #include <cstring>
 #include <limits>
 

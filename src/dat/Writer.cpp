@@ -125,7 +125,8 @@ FileTraits FileTraits::local() {
 
 void Writer::add(RecordId id, Bytes payload, bool compressed) {
     if (compressed && payload.size() > kMaxInflatedBytes)
-        return refuse({ErrorCode::BadArgument, idText(id), "has more than 64 MiB, the most that a compressed record has"});
+        return refuse({ErrorCode::BadArgument, idText(id),
+                       "has more than 64 MiB, the most that a compressed record has"});
     records_[id] = {compressed ? deflateRecord(payload) : std::move(payload), compressed};
 }
 
@@ -156,7 +157,8 @@ Result<Bytes> Writer::build() const {
         const std::uint16_t version = id == kIterationId ? kIterationEntryVersion : kEntryVersion;
         entries.push_back({id, flags, version, sink.store(bytes), length, 0, kFirstIteration});
     };
-    const Result<Bytes> iterations = encodeIterations({kFirstIteration, {{kFirstIteration, kFirstIteration}}});
+    const Result<Bytes> iterations =
+        encodeIterations({kFirstIteration, {{kFirstIteration, kFirstIteration}}});
     bool iterationDue = !records_.contains(kIterationId);
     for (const auto& [id, stored] : records_) {
         if (iterationDue && id > kIterationId) {
@@ -169,7 +171,8 @@ Result<Bytes> Writer::build() const {
         store(kIterationId, *iterations, false);
     const std::uint32_t root = storeTree(sink, entries);
     if (sink.isFull())
-        return fail(ErrorCode::BadArgument, "dat file", "the records need 2 GiB or more, and a file has less; divide them");
+        return fail(ErrorCode::BadArgument, "dat file",
+                    "the records need 2 GiB or more, and a file has less; divide them");
     putHeader(sink.bytes(), traits_, root);
     return std::move(sink.bytes());
 }

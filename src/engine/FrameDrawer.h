@@ -40,7 +40,7 @@ struct DrawerOptions {
 
 /// Numbers of a drawn frame.
 struct FrameCounts {
-    std::uint32_t visits = 0; ///< of the flood: one for each way by which rays of the eye reach a space
+    std::uint32_t visits = 0;    ///< of the flood: one for each way by which rays of the eye reach a space
     std::uint32_t cellsSeen = 0; ///< without the outside
     std::uint32_t instances = 0; ///< meshes drawn
 };

@@ -72,10 +72,11 @@ OpeningMatch matchOpenings(std::span<const Vec3> a, std::span<const Vec3> b, dou
     return {OpeningMatch::Kind::Overlap, area};
 }
 
-bool overlapsInPlane(std::span<const Vec3> polygon, std::span<const Vec3> opening, const Plane& plane, double inPlane,
-                     double overlap) {
+bool overlapsInPlane(std::span<const Vec3> polygon, std::span<const Vec3> opening, const Plane& plane,
+                     double inPlane, double overlap) {
     return isInPlane(polygon, plane, inPlane) &&
-           overlapOf(polygon, opening, plane.n) > overlap * std::min(perimeterOf(polygon), perimeterOf(opening));
+           overlapOf(polygon, opening, plane.n) >
+               overlap * std::min(perimeterOf(polygon), perimeterOf(opening));
 }
 
 void sortBestFirst(std::vector<PairProposal>& proposals) {

@@ -25,8 +25,8 @@ struct OpeningMatch {
 
 /// True if all of `polygon` is within `inPlane` metres of the plane of an opening, and overlaps it by a strip wider than
 /// `overlap` metres. The opening is convex; the polygon need not be.
-[[nodiscard]] bool overlapsInPlane(std::span<const Vec3> polygon, std::span<const Vec3> opening, const Plane& plane,
-                                   double inPlane, double overlap);
+[[nodiscard]] bool overlapsInPlane(std::span<const Vec3> polygon, std::span<const Vec3> opening,
+                                   const Plane& plane, double inPlane, double overlap);
 
 /// Two polygons, by number, that may be the sides of one opening.
 struct PairProposal {

@@ -24,7 +24,8 @@ struct ZoneSide {
 
 std::string portalName(const Graph& graph, std::uint32_t portal) {
     const Graph::Portal& p = graph.portals()[portal];
-    const std::string end = p.destination == kNone ? " to nowhere" : " to space " + std::to_string(p.destination);
+    const std::string end =
+        p.destination == kNone ? " to nowhere" : " to space " + std::to_string(p.destination);
     return "portal " + std::to_string(portal) + ", from space " + std::to_string(p.space) + end;
 }
 
@@ -56,10 +57,11 @@ Result<void> checkPairs(const Graph& graph) {
         const Graph::Portal& portal = graph.portals()[i];
         if (!portal.withinZone || (portal.exact && portal.reciprocal != kNone))
             continue;
-        return fail(ErrorCode::BadArgument, portalName(graph, i),
-                    std::string("leads to a space of the same zone, and ") +
-                        (portal.reciprocal == kNone ? "has no reciprocal" : "its reciprocal has another polygon") +
-                        "; give the two spaces different zones");
+        return fail(
+            ErrorCode::BadArgument, portalName(graph, i),
+            std::string("leads to a space of the same zone, and ") +
+                (portal.reciprocal == kNone ? "has no reciprocal" : "its reciprocal has another polygon") +
+                "; give the two spaces different zones");
     }
     return {};
 }
@@ -98,7 +100,8 @@ Result<void> checkConnected(const Graph& graph) {
     return {};
 }
 
-std::vector<ZoneSide> zoneSidesOf(const Graph& graph, std::span<const WallDesc> walls, std::span<const Vec3> vertices) {
+std::vector<ZoneSide> zoneSidesOf(const Graph& graph, std::span<const WallDesc> walls,
+                                  std::span<const Vec3> vertices) {
     const auto sizes = sizesOf(graph);
     std::vector<ZoneSide> sides;
     const auto add = [&](ZoneSide side) {
@@ -134,16 +137,16 @@ bool isRightBehind(const Graph& graph, const ZoneSide& side, const ZoneSide& ope
         if (side.box.min[axis] > opening.box.max[axis] + kInPlaneTolerance ||
             opening.box.min[axis] > side.box.max[axis] + kInPlaneTolerance)
             return false;
-    return overlapsInPlane(side.polygon, opening.polygon, graph.portals()[opening.portal].plane, kInPlaneTolerance,
-                           kOverlapTolerance);
+    return overlapsInPlane(side.polygon, opening.polygon, graph.portals()[opening.portal].plane,
+                           kInPlaneTolerance, kOverlapTolerance);
 }
 
 Result<void> refuseZone(const Graph& graph, const ZoneSide& side, const ZoneSide& opening) {
     const std::string part = side.portal == kNone ? "a wall" : "portal " + std::to_string(side.portal);
     return fail(ErrorCode::BadArgument, portalName(graph, opening.portal),
                 "leads out of the zone, and " + part + " of space " + std::to_string(side.space) +
-                    ", which is in the same zone, is right behind it; give space " + std::to_string(side.space) +
-                    " a zone of its own");
+                    ", which is in the same zone, is right behind it; give space " +
+                    std::to_string(side.space) + " a zone of its own");
 }
 
 /// Compares sides whose boxes overlap along the longest axis.

@@ -51,8 +51,9 @@ TEST(EncodeFaults, namesTheRuleThatARecordBreaks) {
 TEST(EncodeFaults, endsAtTreesThatAreNone) {
     GfxObj object = mesh(triangle());
     object.drawingBsp.nodes.clear();
-    EXPECT_EQ(faultOf(object),
-              "0x01000001: cannot be encoded: the format requires a BSP tree here; the smallest is a single leaf");
+    EXPECT_EQ(
+        faultOf(object),
+        "0x01000001: cannot be encoded: the format requires a BSP tree here; the smallest is a single leaf");
     BspNode node;
     node.tag = BspTag::BPIN;
     node.positive = node.negative = 7;
@@ -112,7 +113,8 @@ TEST(EncodeFaults, ofWholeFiles) {
         const auto built = Writer(traits).build();
         ASSERT_FALSE(built);
         EXPECT_EQ(built.error().message(),
-                  "dat file: a block size is a power of two from 64 to 65536, and not " + std::to_string(size));
+                  "dat file: a block size is a power of two from 64 to 65536, and not " +
+                      std::to_string(size));
     }
     Writer writer(FileTraits::portal());
     writer.add(0x06000001, Bytes((std::size_t{64} << 20) + 1), true);

@@ -120,7 +120,8 @@ TEST(ZoneProperty, cellsOfOneZoneAreClosedAndDisjoint) {
 }
 
 /// The faces of all cells as walls.
-void addWalls(const world::World& world, std::vector<visibility::WallDesc>& walls, std::vector<Vec3>& vertices) {
+void addWalls(const world::World& world, std::vector<visibility::WallDesc>& walls,
+              std::vector<Vec3>& vertices) {
     for (std::uint32_t i = 0; i < world.spaces.size(); ++i) {
         if (world.spaces[i].shell == world::kNone)
             continue; // the outside
@@ -134,7 +135,8 @@ void addWalls(const world::World& world, std::vector<visibility::WallDesc>& wall
 TEST(ZoneProperty, zonesOfWorldsPassTheCheckOfCallersGraphs) {
     std::size_t compared = 0, faults = 0;
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-        for (const auto kind : {worlds::GeneratedKind::Complex, worlds::GeneratedKind::Dungeon, worlds::GeneratedKind::Nested}) {
+        for (const auto kind : {worlds::GeneratedKind::Complex, worlds::GeneratedKind::Dungeon,
+                                worlds::GeneratedKind::Nested}) {
             const worlds::test::GeneratedWorld files({kind, 30, seed, 0.05});
             world::World world = files.load(files.blocks().front());
             std::vector<visibility::WallDesc> walls;
@@ -149,7 +151,10 @@ TEST(ZoneProperty, zonesOfWorldsPassTheCheckOfCallersGraphs) {
                 world.spaces[i].zone = world.spaces[1].zone; // all cells in one zone
             const auto merged = frame::visibilityGraph(world);
             ASSERT_TRUE(merged);
-            faults += kind == worlds::GeneratedKind::Nested && !visibility::checkZones(*merged, walls, vertices) ? 1 : 0;
+            faults +=
+                kind == worlds::GeneratedKind::Nested && !visibility::checkZones(*merged, walls, vertices)
+                    ? 1
+                    : 0;
         }
     }
     EXPECT_GT(compared, 10000u) << "too few walls for a meaningful test";

@@ -20,7 +20,10 @@ void expect(bool isFit, const wchar_t* text, const char* name) {
 
 int main() {
     expect(true, L"", "empty");
-    expect(true, L"Stra\x00DF" L"e.txt", "umlaut");
+    expect(true,
+           L"Stra\x00DF"
+           L"e.txt",
+           "umlaut");
     expect(true, L"\xD83D\xDE00.txt", "a pair");
     expect(true, L"a\xD83D\xDE00\xD83D\xDE00", "two pairs");
     expect(true, L"\xFFFD\xE000\xD7FF", "neighbours of the range");

@@ -59,7 +59,8 @@ Result<std::vector<fs::path>> filesOf(const std::vector<std::string>& inputs) {
             continue;
         }
         const std::size_t before = files.size();
-        for (fs::directory_iterator entry(input, error), end; !error && entry != end; entry.increment(error)) {
+        for (fs::directory_iterator entry(input, error), end; !error && entry != end;
+             entry.increment(error)) {
             if (!platform::isText(entry->path()))
                 return fail(ErrorCode::Unsupported, input, platform::kNoText);
             if (entry->path().extension() == kExtension)

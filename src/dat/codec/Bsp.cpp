@@ -112,8 +112,7 @@ std::int32_t readNode(ByteReader& io, BspTree& tree, BspKind kind, int depth) {
 }
 
 void writeNode(ByteWriter& io, const BspTree& tree, std::int32_t index, BspKind kind, int depth) {
-    io.require(index >= 0 && static_cast<std::size_t>(index) < tree.nodes.size(),
-               "a BSP node lacks a child");
+    io.require(index >= 0 && static_cast<std::size_t>(index) < tree.nodes.size(), "a BSP node lacks a child");
     io.require(depth < kMaxBspDepth, "a BSP tree is too deep, or a node is its own descendant");
     if (io.failed())
         return;

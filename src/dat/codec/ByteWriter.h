@@ -75,8 +75,7 @@ public:
     }
 
 private:
-    static constexpr const char* kOtherCount =
-        "a list must have as many items as the record says elsewhere";
+    static constexpr const char* kOtherCount = "a list must have as many items as the record says elsewhere";
 
     Bytes bytes_;
     const char* broken_ = nullptr;

@@ -120,9 +120,9 @@ template <>
 Result<Bytes> encode<GfxObj>(const GfxObj& g) {
     ByteWriter io;
     io.require((g.flags & GfxObj::kPhysics) || (g.physicsPolygons.empty() && g.physicsBsp.nodes.empty()),
-                 "physics content needs kPhysics");
+               "physics content needs kPhysics");
     io.require((g.flags & GfxObj::kDrawing) || (g.polygons.empty() && g.drawingBsp.nodes.empty()),
-                 "drawing content needs kDrawing");
+               "drawing content needs kDrawing");
     gfxObj(io, g.id, g);
     return io.take(g.id);
 }

@@ -90,7 +90,7 @@ template <>
 Result<Bytes> encode<Animation>(const Animation& a) {
     ByteWriter io;
     io.require((a.flags & Animation::kPositionFrames) || a.positionFrames.empty(),
-                 "position frames need kPositionFrames");
+               "position frames need kPositionFrames");
     animation(io, a.id, a, BlockingParticle::Bare);
     return io.take(a.id);
 }
