@@ -110,14 +110,14 @@ class WineVerbs(Wine):
         """Such a name cannot be text. Wine cannot make a file of such a name, but can hand it over as an argument."""
         helper = self.work / "half.exe"
         self.compile("HalfPair.c", helper)
-        for command in (["places", "--dat", "w?lt"], ["shot", *VIEW, "-o", "b?ld.png"], ["dat", "verify", "a?.dat"]):
+        for command in (["places", "--dat", "w?lt"], ["shot", *VIEW, "-o", "h?lbe.png"], ["dat", "verify", "a?.dat"]):
             done = subprocess.run(["wine", helper, self.windows_path(self.program), *command], env=self.env, cwd=self.work,
                                   capture_output=True, timeout=SECONDS, check=False)
             message = done.stderr.decode()
             self.assertEqual((done.returncode, done.stdout, message.count("\n")), (2, b"", 1), message)
             self.assertIn("'" + command[-1].replace("?", "\N{REPLACEMENT CHARACTER}") + "'", message)
             self.assertIn("half of a surrogate pair", message)
-        self.assertEqual(list(self.work.glob("b*ld.png")), [])
+        self.assertEqual(list(self.work.glob("h*lbe.png")), [])
 
     def test_names_that_can_be_text(self):
         program = self.work / "wellformed.exe"
