@@ -39,7 +39,7 @@ class WineLibrary(unittest.TestCase):
         build, prefix = self.work / "build", self.work / "prefix"
         run("cmake", "-S", SOURCE, "-B", build, "-G", "Ninja", "--toolchain", TOOLCHAIN, "-DLIMEN_PARTS=visibility;dat", "-DLIMEN_UNITE=ON",
             "-DLIMEN_BUILD_TESTS=OFF", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O2", f"-DBUILD_SHARED_LIBS={'ON' if shared else 'OFF'}")
-        run("nice", "cmake", "--build", build)
+        run("cmake", "--build", build)
         for component in ("visibility", "dat"):
             run("cmake", "--install", build, "--prefix", prefix, "--component", component)
         return prefix
