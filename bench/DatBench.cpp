@@ -108,7 +108,7 @@ void benchFile(FileRole role, AllocationCounter counter, std::vector<BenchRow>& 
     }
     const TemporaryFile onDisk(writer, isCell ? "cell.dat" : "portal.dat");
     const auto file =
-        onDisk.written() ? File::open(onDisk.path()) : File::fromBytes(writer.build(), "bench.dat");
+        onDisk.written() ? File::open(onDisk.path()) : File::fromBytes(*writer.build(), "bench.dat");
     const std::string scene =
         fmt::format("{} records, blocks of {}", kRecords,
                     isCell ? FileTraits::cell().blockSize : FileTraits::portal().blockSize);
@@ -248,7 +248,7 @@ BenchRow decodeRow(const std::string& name, AllocationCounter counter,
     std::vector<std::pair<RecordId, Bytes>> payloads;
     std::size_t total = 0;
     for (RecordId id = 0x01000001; total < kDecodeBytes; ++id) {
-        payloads.emplace_back(id, encode(make(id, static_cast<std::uint16_t>(4 + id % 13))));
+        payloads.emplace_back(id, *encode(make(id, static_cast<std::uint16_t>(4 + id % 13))));
         total += payloads.back().second.size();
     }
     std::size_t decoded = 0;
@@ -276,9 +276,11 @@ BenchRow decodeRow(const std::string& name, AllocationCounter counter,
     Hash hash;
     hash.add(decoded);
     hash.add(copied);
-    for (const auto& [id, bytes] : payloads)
-        for (const std::byte b : encode(*decode<Record>(id, bytes)))
+    for (const auto& [id, bytes] : payloads) {
+        const Bytes again = *encode(*decode<Record>(id, bytes));
+        for (const std::byte b : again)
             hash.add(b);
+    }
     row.hash = hash.value();
     return row;
 }

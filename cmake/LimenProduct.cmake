@@ -43,9 +43,7 @@ function(limen_product name)
         limen_public_header(headers ${PROJECT_SOURCE_DIR}/src/${ARG_C_HEADER} ${name}.h)
     endif()
     add_library(${target} ${objects})
-    if(NOT TARGET limen::${name})
-        add_library(limen::${name} ALIAS ${target})
-    endif()
+    add_library(limen::${name} ALIAS ${target})
     target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${LIMEN_INCLUDE} FILES ${headers}
         FILE_SET common_headers TYPE HEADERS BASE_DIRS ${LIMEN_INCLUDE} FILES ${common_headers})
     add_custom_target(${target}_headers DEPENDS ${headers} ${common_headers}) # a user's source may be compiled before the library
@@ -56,6 +54,8 @@ function(limen_product name)
         VERSION ${PROJECT_VERSION} SOVERSION ${LIMEN_SOVERSION})
     if(BUILD_SHARED_LIBS)
         target_compile_definitions(${target} INTERFACE LIMEN_SHARED)
+    endif()
+    if(BUILD_SHARED_LIBS AND NOT WIN32) # a DLL exports marked names alone
         # Names of the standard library that templates bring along stay local.
         target_link_options(${target} PRIVATE -Wl,--version-script=${names} -Wl,-z,defs)
         set_target_properties(${target} PROPERTIES LINK_DEPENDS ${names})

@@ -26,10 +26,14 @@ target_compile_options(limen_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor> $<$<COMPILE_LANGUAGE:CXX>:-Woverloaded-virtual>)
 # GCC 12 at -O3 warns of concatenated strings without reason (its bug 105651); GCC 13 does not.
 target_compile_options(limen_flags INTERFACE $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>)
-# A warning of ours is no error of a project that contains ours, perhaps with another compiler.
+# A warning of ours is no error of a project that contains ours, perhaps with another compiler, nor where that project makes
+# all warnings errors.
 option(LIMEN_WERROR "Treat warnings as errors" ${PROJECT_IS_TOP_LEVEL})
 if(LIMEN_WERROR)
     target_compile_options(limen_flags INTERFACE -Werror)
+else()
+    set(CMAKE_COMPILE_WARNING_AS_ERROR OFF)
+    target_compile_options(limen_flags INTERFACE -Wno-error)
 endif()
 # No fused multiply-add: results must not depend on the compiler.
 target_compile_options(limen_flags INTERFACE -ffp-contract=off)
@@ -70,16 +74,16 @@ endfunction()
 # declarations with LIMEN_API are exported.
 set(LIMEN_LIBRARY_ROOMS core geometry visibility dat worlds placements world motion frame gpu reference check engine)
 
-# limen_room(name sources...): a library for a folder of src, with the alias limen::name. Its headers are
-# included as "name/Header.h". In a project that contains ours and none of our programs, limen::visibility and limen::dat
-# are the libraries of LimenProduct.cmake instead.
+# limen_room(name sources...): a library for a folder of src, with the alias limen_room::name. Its headers are
+# included as "name/Header.h". The libraries for other projects are limen::name (LimenProduct.cmake).
 function(limen_room name)
     add_library(limen_${name} STATIC ${ARGN})
-    if(PROJECT_IS_TOP_LEVEL OR LIMEN_HAS_ENGINE OR name MATCHES "^(core|geometry)$")
-        add_library(limen::${name} ALIAS limen_${name})
-    endif()
+    add_library(limen_room::${name} ALIAS limen_${name})
     if(name IN_LIST LIMEN_LIBRARY_ROOMS)
         set_target_properties(limen_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+        if(WIN32 AND BUILD_SHARED_LIBS)
+            target_compile_definitions(limen_${name} PRIVATE LIMEN_BUILDS_SHARED)
+        endif()
     endif()
     target_include_directories(limen_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(limen_${name} PRIVATE limen_flags)

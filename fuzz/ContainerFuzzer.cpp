@@ -17,7 +17,7 @@ bool same(const Entry& a, const Entry& b) {
 }
 
 void checkRewritten(const Writer& writer, const std::vector<std::pair<RecordId, Bytes>>& records) {
-    const auto again = File::fromBytes(writer.build(), "again.dat");
+    const auto again = File::fromBytes(*writer.build(), "again.dat");
     FUZZ_CHECK(again.has_value());
     Bytes scratch;
     for (const auto& [id, payload] : records) {

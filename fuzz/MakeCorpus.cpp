@@ -33,7 +33,7 @@ bool saveRecords(const fs::path& directory, std::uint8_t pick) {
     bool good = true;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         Bytes bytes{static_cast<std::byte>(pick)};
-        const Bytes payload = encode(RandomRecords(seed, seed < 4 ? 1 : 3).make<Record>());
+        const Bytes payload = *encode(RandomRecords(seed, seed < 4 ? 1 : 3).make<Record>());
         bytes.insert(bytes.end(), payload.begin(), payload.end());
         good = save(directory / (std::to_string(pick) + "-" + std::to_string(seed)), bytes) && good;
     }
@@ -50,9 +50,9 @@ bool saveFiles(const fs::path& directory) {
             for (RecordId id = 1; id <= count; ++id)
                 writer.add(id * 3, Bytes(id % 7 == 0 ? 150 : id % 5, static_cast<std::byte>(id)),
                            id % 4 == 0);
-            good =
-                save(directory / (std::to_string(blockSize) + "-" + std::to_string(count)), writer.build()) &&
-                good;
+            good = save(directory / (std::to_string(blockSize) + "-" + std::to_string(count)),
+                        *writer.build()) &&
+                   good;
         }
     }
     return good;

@@ -27,7 +27,7 @@ void check(ByteView payload) {
         FUZZ_CHECK(!record.error().what.empty() && !record.error().where.empty());
         return;
     }
-    const Bytes again = encode(*record);
+    const Bytes again = *encode(*record);
     FUZZ_CHECK(std::equal(again.begin(), again.end(), payload.begin(), payload.end()));
     if (payload.size() <= kMaxDescribed)
         FUZZ_CHECK(!describe(*record).empty());

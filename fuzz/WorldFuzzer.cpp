@@ -97,7 +97,7 @@ dat::File fileOf(const std::vector<Stored>& records, const dat::FileTraits& trai
     dat::Writer writer(traits);
     for (const Stored& record : records)
         writer.add(record.id, record.payload);
-    auto file = dat::File::fromBytes(writer.build(), name);
+    auto file = dat::File::fromBytes(*writer.build(), name);
     FUZZ_CHECK(file.has_value());
     return std::move(*file);
 }

@@ -7,6 +7,7 @@
 #include "visibility/RegionPixels.h"
 #include "visibility/RegionPlanes.h"
 #include "visibility/SpaceLocator.h"
+#include "visibility/ZoneCheck.h"
 
 #include <memory>
 
@@ -155,6 +156,18 @@ Meshes meshesOf(const std::vector<MeshTuple>& given) {
     return meshes;
 }
 
+void checkZones(const vis::Graph& graph, const std::vector<std::pair<std::uint32_t, Array<double>>>& given) {
+    std::vector<vis::WallDesc> walls;
+    std::vector<Vec3> vertices;
+    for (const auto& [space, polygon] : given) {
+        const std::vector<Vec3> corners = vectorsOf(polygon, "the polygon of a wall");
+        walls.push_back(
+            {space, static_cast<std::uint32_t>(vertices.size()), static_cast<std::uint32_t>(corners.size())});
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+    }
+    valueOf(vis::checkZones(graph, walls, vertices));
+}
+
 void addGraphs(py::module_& m) {
     py::class_<vis::Graph>(m, "Graph", "Spaces joined by portals. Made by GraphBuilder or graph_from_meshes.")
         .def_property_readonly("space_count", [](const vis::Graph& g) { return g.spaces().size(); })
@@ -167,10 +180,21 @@ void addGraphs(py::module_& m) {
                 return rowsOf(g.polygon(g.portals()[portal]));
             },
             py::arg("portal"),
-            "The corners of a portal, shape (n, 3), counter-clockwise seen from inside its space.");
+            "The corners of a portal, shape (n, 3), counter-clockwise seen from inside its space.")
+        .def("check_zones", &checkZones,
+             py::arg("walls") = std::vector<std::pair<std::uint32_t, Array<double>>>{},
+             "Checks the zones of several spaces, as far as portals and walls show their faults. `walls`: "
+             "tuples of\n"
+             "a space and its polygon, shape (n, 3). Raises an error that names the portal and the spaces.");
     py::class_<vis::GraphBuilder>(m, "GraphBuilder", "Collects spaces and openings, in any order.")
         .def(py::init<>())
-        .def("add_space", &vis::GraphBuilder::addSpace, "Adds a space and returns its number.")
+        .def("add_space", &vis::GraphBuilder::addSpace,
+             "Adds a space, in a zone of its own, and returns its number.")
+        .def("add_space_in_zone_of", &vis::GraphBuilder::addSpaceInZoneOf, py::arg("other"),
+             "Adds a space to the zone of an earlier one, and returns its number. Depth alone decides inside "
+             "a zone:\n"
+             "its spaces are closed, disjoint, and connected by exact pairs of portals. See "
+             "Graph.check_zones.")
         .def(
             "add_opening",
             [](vis::GraphBuilder& builder, std::uint32_t from, std::uint32_t to, const Array<double>& polygon,

@@ -2,11 +2,14 @@
 #include "cli/help/CommandFacts.h"
 #include "cli/help/ParseFailure.h"
 #include "core/platform/Environment.h"
+#include "core/platform/Files.h"
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <fmt/format.h>
 #include <new>
+#include <system_error>
 
 namespace limen::cli {
 namespace {
@@ -70,6 +73,9 @@ Exit parseAndRun(CLI::App& program, int argc, const char* const* argv, const Cho
         return reportParse(program, error, console);
     } catch (const std::bad_alloc&) {
         console.error({ErrorCode::Unsupported, "", "out of memory; choose a smaller --size or --radius"});
+    } catch (const std::filesystem::filesystem_error& error) {
+        const bool isNoText = error.code() == std::errc::illegal_byte_sequence;
+        console.error({ErrorCode::Unsupported, "", isNoText ? platform::kNoText : error.what()});
     } catch (const std::exception& error) {
         console.error({ErrorCode::Unsupported, "unexpected", error.what()});
     }

@@ -15,7 +15,7 @@
 
 // Bytes to typed records and back. `decode` accepts the formats of docs/formats, checks every count against
 // the remaining bytes before it allocates, and requires that the record ends at the end of its bytes. For
-// every byte string that decodes, encode(decode(bytes)) == bytes.
+// every byte string that decodes, encode(decode(bytes)) gives the same bytes.
 namespace limen::dat {
 
 using Bytes = std::vector<std::byte>;
@@ -26,9 +26,10 @@ using ByteView = std::span<const std::byte>;
 template <class Record>
 [[nodiscard]] Result<Record> decode(RecordId id, ByteView payload);
 
-/// The bytes of a record. Requires: flags and lists agree (README.md).
+/// The bytes of a record. Errors: BadArgument, with the id and the rule, for a record that the format cannot hold: a list
+/// whose flag is not set, a list that is longer than its count can say, a polygon with two vertices.
 template <class Record>
-[[nodiscard]] Bytes encode(const Record& record);
+[[nodiscard]] Result<Bytes> encode(const Record& record);
 
 template <>
 LIMEN_API Result<GfxObj> decode<GfxObj>(RecordId, ByteView);
@@ -72,44 +73,44 @@ template <>
 LIMEN_API Result<EnvCell> decode<EnvCell>(RecordId, ByteView);
 
 template <>
-LIMEN_API Bytes encode<GfxObj>(const GfxObj&);
+LIMEN_API Result<Bytes> encode<GfxObj>(const GfxObj&);
 template <>
-LIMEN_API Bytes encode<Setup>(const Setup&);
+LIMEN_API Result<Bytes> encode<Setup>(const Setup&);
 template <>
-LIMEN_API Bytes encode<Animation>(const Animation&);
+LIMEN_API Result<Bytes> encode<Animation>(const Animation&);
 template <>
-LIMEN_API Bytes encode<Palette>(const Palette&);
+LIMEN_API Result<Bytes> encode<Palette>(const Palette&);
 template <>
-LIMEN_API Bytes encode<SurfaceTexture>(const SurfaceTexture&);
+LIMEN_API Result<Bytes> encode<SurfaceTexture>(const SurfaceTexture&);
 template <>
-LIMEN_API Bytes encode<RenderSurface>(const RenderSurface&);
+LIMEN_API Result<Bytes> encode<RenderSurface>(const RenderSurface&);
 template <>
-LIMEN_API Bytes encode<Surface>(const Surface&);
+LIMEN_API Result<Bytes> encode<Surface>(const Surface&);
 template <>
-LIMEN_API Bytes encode<MotionTable>(const MotionTable&);
+LIMEN_API Result<Bytes> encode<MotionTable>(const MotionTable&);
 template <>
-LIMEN_API Bytes encode<Environment>(const Environment&);
+LIMEN_API Result<Bytes> encode<Environment>(const Environment&);
 template <>
-LIMEN_API Bytes encode<PaletteSet>(const PaletteSet&);
+LIMEN_API Result<Bytes> encode<PaletteSet>(const PaletteSet&);
 template <>
-LIMEN_API Bytes encode<ClothingTable>(const ClothingTable&);
+LIMEN_API Result<Bytes> encode<ClothingTable>(const ClothingTable&);
 template <>
-LIMEN_API Bytes encode<DegradeInfo>(const DegradeInfo&);
+LIMEN_API Result<Bytes> encode<DegradeInfo>(const DegradeInfo&);
 template <>
-LIMEN_API Bytes encode<Scene>(const Scene&);
+LIMEN_API Result<Bytes> encode<Scene>(const Scene&);
 template <>
-LIMEN_API Bytes encode<Region>(const Region&);
+LIMEN_API Result<Bytes> encode<Region>(const Region&);
 template <>
-LIMEN_API Bytes encode<ParticleEmitter>(const ParticleEmitter&);
+LIMEN_API Result<Bytes> encode<ParticleEmitter>(const ParticleEmitter&);
 template <>
-LIMEN_API Bytes encode<PhysicsScript>(const PhysicsScript&);
+LIMEN_API Result<Bytes> encode<PhysicsScript>(const PhysicsScript&);
 template <>
-LIMEN_API Bytes encode<PhysicsScriptTable>(const PhysicsScriptTable&);
+LIMEN_API Result<Bytes> encode<PhysicsScriptTable>(const PhysicsScriptTable&);
 template <>
-LIMEN_API Bytes encode<LandBlock>(const LandBlock&);
+LIMEN_API Result<Bytes> encode<LandBlock>(const LandBlock&);
 template <>
-LIMEN_API Bytes encode<LandBlockInfo>(const LandBlockInfo&);
+LIMEN_API Result<Bytes> encode<LandBlockInfo>(const LandBlockInfo&);
 template <>
-LIMEN_API Bytes encode<EnvCell>(const EnvCell&);
+LIMEN_API Result<Bytes> encode<EnvCell>(const EnvCell&);
 
 } // namespace limen::dat

@@ -1,7 +1,5 @@
 #include "dat/Iterations.h"
 
-#include "core/Assert.h"
-
 #include <cstring>
 #include <limits>
 
@@ -39,11 +37,13 @@ Result<Iterations> decodeIterations(ByteView payload) {
     return out;
 }
 
-Bytes encodeIterations(const Iterations& iterations) {
+Result<Bytes> encodeIterations(const Iterations& iterations) {
     Bytes out;
     put(out, iterations.current);
     for (const IterationRun& run : iterations.runs) {
-        LIMEN_ASSERT(run.count > 0, "a run has iterations");
+        if (run.count <= 0)
+            return fail(ErrorCode::BadArgument, "iterations",
+                        "a run has " + std::to_string(run.count) + " iterations; it needs one or more");
         put(out, -run.count);
         put(out, run.first);
     }

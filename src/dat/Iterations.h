@@ -19,7 +19,8 @@ struct Iterations {
 
 /// Errors: a record that is no whole number of words, is empty, or ends within a run.
 [[nodiscard]] LIMEN_API Result<Iterations> decodeIterations(ByteView payload);
-/// A run of one becomes a negative word, too, as in new files. Decoding yields the same iterations.
-[[nodiscard]] LIMEN_API Bytes encodeIterations(const Iterations& iterations);
+/// A run of one becomes a negative word, too, as in new files. Decoding yields the same iterations. Errors: BadArgument
+/// for a run whose count is not positive.
+[[nodiscard]] LIMEN_API Result<Bytes> encodeIterations(const Iterations& iterations);
 
 } // namespace limen::dat

@@ -113,10 +113,12 @@ private:
             fault(FaultKind::Unreadable, fmt::format("{}: {}", record.error().where, record.error().what));
             return;
         }
-        const Bytes again = encode(*record);
-        if (!std::equal(again.begin(), again.end(), payload.begin(), payload.end()))
+        const Result<Bytes> again = encode(*record);
+        if (!again)
+            fault(FaultKind::Changed, again.error().what);
+        else if (!std::equal(again->begin(), again->end(), payload.begin(), payload.end()))
             fault(FaultKind::Changed,
-                  fmt::format("{} bytes would be written as {} others", payload.size(), again.size()));
+                  fmt::format("{} bytes would be written as {} others", payload.size(), again->size()));
         forEachReference(*record, [this](const Reference& reference) { resolve(reference); });
         look(*record);
     }

@@ -1,6 +1,5 @@
 #include "dat/Writer.h"
 
-#include "core/Assert.h"
 #include "core/Interrupt.h"
 #include "core/platform/Process.h"
 #include "dat/Iterations.h"
@@ -31,11 +30,13 @@ public:
     explicit BlockSink(std::uint32_t blockSize)
         : blockSize_(blockSize), capacity_(blockSize - 4), bytes_(firstUsableOffset(blockSize)) {}
 
-    /// Stores an object in consecutive blocks. Returns the offset of the first one.
+    /// Stores an object in consecutive blocks. Returns the offset of the first one. Without room it stores nothing.
     std::uint32_t store(ByteView object) {
         const std::size_t count = object.empty() ? 1 : (object.size() + capacity_ - 1) / capacity_;
         const std::size_t start = bytes_.size();
-        LIMEN_ASSERT(start + count * blockSize_ < (std::uint64_t{1} << 31), "a dat file cannot reach 2 GiB");
+        isFull_ = isFull_ || start + count * blockSize_ >= kLargestFile;
+        if (isFull_)
+            return 0;
         bytes_.resize(start + count * blockSize_);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t block = start + i * blockSize_;
@@ -50,11 +51,15 @@ public:
     }
     void reserve(std::size_t size) { bytes_.reserve(size); }
     [[nodiscard]] Bytes& bytes() { return bytes_; }
+    [[nodiscard]] bool isFull() const { return isFull_; }
 
 private:
+    static constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 31; ///< bytes; a file is smaller
+
     std::size_t blockSize_;
     std::size_t capacity_;
     Bytes bytes_;
+    bool isFull_ = false;
 };
 
 Bytes nodeBytes(const NodePlan& node, const std::vector<std::uint32_t>& offsets) {
@@ -119,13 +124,30 @@ FileTraits FileTraits::local() {
 }
 
 void Writer::add(RecordId id, Bytes payload, bool compressed) {
+    if (compressed && payload.size() > kMaxInflatedBytes)
+        return refuse({ErrorCode::BadArgument, idText(id),
+                       "has more than 64 MiB, the most that a compressed record has"});
     records_[id] = {compressed ? deflateRecord(payload) : std::move(payload), compressed};
 }
 
-Bytes Writer::build() const {
+void Writer::addEncoded(RecordId id, Result<Bytes> encoded) {
+    if (!encoded)
+        return refuse({ErrorCode::BadArgument, idText(id), std::move(encoded.error().what)});
+    add(id, *std::move(encoded));
+}
+
+void Writer::refuse(Error fault) {
+    if (!fault_)
+        fault_ = std::move(fault);
+}
+
+Result<Bytes> Writer::build() const {
+    if (fault_)
+        return Failure(*fault_);
     const std::uint32_t size = traits_.blockSize;
-    LIMEN_ASSERT(size >= kMinBlockSize && size <= kMaxBlockSize && (size & (size - 1)) == 0,
-                 "a block size is a power of two from 64 to 65536");
+    if (size < kMinBlockSize || size > kMaxBlockSize || (size & (size - 1)) != 0)
+        return fail(ErrorCode::BadArgument, "dat file",
+                    fmt::format("a block size is a power of two from 64 to 65536, and not {}", size));
     BlockSink sink(size);
     std::vector<Entry> entries;
     entries.reserve(records_.size() + 1);
@@ -135,24 +157,31 @@ Bytes Writer::build() const {
         const std::uint16_t version = id == kIterationId ? kIterationEntryVersion : kEntryVersion;
         entries.push_back({id, flags, version, sink.store(bytes), length, 0, kFirstIteration});
     };
-    const Iterations first{kFirstIteration, {{kFirstIteration, kFirstIteration}}};
+    const Result<Bytes> iterations =
+        encodeIterations({kFirstIteration, {{kFirstIteration, kFirstIteration}}});
     bool iterationDue = !records_.contains(kIterationId);
     for (const auto& [id, stored] : records_) {
         if (iterationDue && id > kIterationId) {
-            store(kIterationId, encodeIterations(first), false);
+            store(kIterationId, *iterations, false);
             iterationDue = false;
         }
         store(id, stored.bytes, stored.compressed);
     }
     if (iterationDue)
-        store(kIterationId, encodeIterations(first), false);
+        store(kIterationId, *iterations, false);
     const std::uint32_t root = storeTree(sink, entries);
+    if (sink.isFull())
+        return fail(ErrorCode::BadArgument, "dat file",
+                    "the records need 2 GiB or more, and a file has less; divide them");
     putHeader(sink.bytes(), traits_, root);
     return std::move(sink.bytes());
 }
 
 Result<void> Writer::write(const std::filesystem::path& path) const {
-    const Bytes bytes = build();
+    const Result<Bytes> built = build();
+    if (!built)
+        return Failure(built.error());
+    const Bytes& bytes = *built;
     const UninterruptedWrite whole;
     const std::filesystem::path temporary = temporaryBeside(path);
     {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 
 namespace limen::dat {
 
@@ -21,7 +22,9 @@ struct LIMEN_API FileTraits {
 };
 
 /// Collects records and writes a complete dat file (docs/formats/container.md#writing-a-file). The bytes depend on the records
-/// only: dates and iterations are fixed unless given.
+/// only: dates and iterations are fixed unless given. Errors of `build` and `write`: BadArgument for the first record that
+/// cannot be encoded (Codec.h) or compressed (64 MiB), a block size that is no power of two from 64 to 65,536, and a file of
+/// 2 GiB or more.
 class LIMEN_API Writer {
 public:
     explicit Writer(FileTraits traits) : traits_(traits) {}
@@ -30,12 +33,12 @@ public:
     void add(RecordId id, Bytes payload, bool compressed = false);
     template <class Record>
     void add(const Record& record) {
-        add(record.id, encode(record));
+        addEncoded(record.id, encode(record));
     }
-    void add(RecordId id, const Surface& surface) { add(id, encode(surface)); }
+    void add(RecordId id, const Surface& surface) { addEncoded(id, encode(surface)); }
 
     /// The whole file. The iteration record is added if it is missing.
-    [[nodiscard]] Bytes build() const;
+    [[nodiscard]] Result<Bytes> build() const;
     /// Writes the file to a second name and renames it, so that no reader sees a partial file.
     [[nodiscard]] Result<void> write(const std::filesystem::path& path) const;
 
@@ -44,8 +47,12 @@ private:
         Bytes bytes;
         bool compressed = false;
     };
+    void addEncoded(RecordId id, Result<Bytes> encoded);
+    void refuse(Error fault);
+
     FileTraits traits_;
     std::map<RecordId, Stored> records_;
+    std::optional<Error> fault_; ///< the first one
 };
 
 } // namespace limen::dat

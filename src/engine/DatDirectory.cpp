@@ -1,6 +1,7 @@
 #include "engine/DatDirectory.h"
 
 #include "core/Nearest.h"
+#include "core/platform/Files.h"
 #include "engine/UserFiles.h"
 
 #include <algorithm>
@@ -32,13 +33,14 @@ std::string inLowerCase(std::string text) {
     return text;
 }
 
-/// The entries of a directory, ascending by name; empty if it cannot be read.
+/// The entries of a directory whose names are text, ascending by name; empty if it cannot be read.
 std::vector<fs::path> entriesOf(const fs::path& directory) {
     std::vector<fs::path> entries;
     std::error_code error;
     for (fs::directory_iterator it(directory, fs::directory_options::skip_permission_denied, error), end;
          !error && it != end && entries.size() < kMostEntries; it.increment(error))
-        entries.push_back(it->path());
+        if (platform::isText(it->path()))
+            entries.push_back(it->path());
     std::sort(entries.begin(), entries.end());
     return entries;
 }

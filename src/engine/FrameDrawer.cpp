@@ -1,6 +1,5 @@
 #include "engine/FrameDrawer.h"
 
-#include "core/Assert.h"
 #include "engine/FrameMemory.h"
 #include "engine/Session.h"
 #include "gpu/device/CurrentContext.h"
@@ -177,10 +176,15 @@ Result<FrameCounts> drawFrame(DrawerState& state, const FrameDescription& frame)
                        counts.instancesDrawn};
 }
 
+Failure movedFrom() {
+    return wrong("frame drawer", "was moved to another object; use that one");
+}
+
 /// Runs `read` on the last frame's images.
 template <class Read>
 std::invoke_result_t<Read> ofLastFrame(DrawerState* state, bool needsIds, Read&& read) {
-    LIMEN_ASSERT(state != nullptr, "the drawer was not moved from");
+    if (state == nullptr)
+        return movedFrom();
     if (!state->drawn)
         return wrong("frame drawer", "has no frame; call draw first");
     if (needsIds && !state->hasIds)
@@ -250,14 +254,16 @@ Result<FrameDrawer> FrameDrawer::onCurrentContext(const OpenedWorld& world, cons
 }
 
 Result<void> FrameDrawer::load(const Viewpoint& viewpoint) {
-    LIMEN_ASSERT(state_ != nullptr, "the drawer was not moved from");
+    if (state_ == nullptr)
+        return movedFrom();
     if (Result<void> checked = check(viewpoint); !checked)
         return checked;
     return inContext(*state_, [&] { return state_->session->load(centreOf(requestOf(viewpoint))); });
 }
 
 Result<FrameCounts> FrameDrawer::draw(const FrameDescription& frame) {
-    LIMEN_ASSERT(state_ != nullptr, "the drawer was not moved from");
+    if (state_ == nullptr)
+        return movedFrom();
     if (Result<void> checked = check(frame); !checked)
         return Failure(checked.error());
     return inContext(*state_, [&] {
@@ -320,8 +326,7 @@ Result<Surface> FrameDrawer::surfaceAt(std::uint32_t x, std::uint32_t y) {
 }
 
 std::string FrameDrawer::driver() const {
-    LIMEN_ASSERT(state_ != nullptr, "the drawer was not moved from");
-    return state_->session->driver();
+    return state_ == nullptr ? std::string() : state_->session->driver();
 }
 
 } // namespace limen::engine

@@ -40,8 +40,7 @@ struct DrawerOptions {
 
 /// Numbers of a drawn frame.
 struct FrameCounts {
-    std::uint32_t visits =
-        0; ///< of the flood: a space is visited once for each way that leads the eye's rays to it
+    std::uint32_t visits = 0;    ///< of the flood: one for each way by which rays of the eye reach a space
     std::uint32_t cellsSeen = 0; ///< without the outside
     std::uint32_t instances = 0; ///< meshes drawn
 };
@@ -71,8 +70,8 @@ struct FrameObjects {
 
 /// Draws a world with OpenGL 4.5. It loads the landblocks around each eye, and keeps them until an eye is in another block.
 ///
-/// **Threads.** One thread at a time. **Errors.** No function ends the program; after an error the drawer can be used again,
-/// unless the device was reset. **State.** Each call leaves the thread's current context, and all OpenGL state of the
+/// **Threads.** One thread at a time. **Errors.** No function ends the program. After an error the drawer can be used again,
+/// unless the device was reset. A drawer that was moved to another object gives BadArgument. **State.** Each call leaves the thread's current context, and all OpenGL state of the
 /// caller's context, as before, but for pending GL errors, which are discarded.
 class LIMEN_API FrameDrawer {
 public:
@@ -105,7 +104,7 @@ public:
     /// its own size; pixels beyond the framebuffer are left out. The framebuffer needs a colour image of RGB or RGBA values,
     /// which gets the sRGB values unchanged. Errors: BadArgument for a headless drawer, or a framebuffer that is not complete.
     [[nodiscard]] Result<void> copyTo(std::uint32_t framebuffer, std::int32_t x = 0, std::int32_t y = 0);
-    /// Objects to read in other GL code, for example to draw things of one's own behind and before surfaces. Errors:
+    /// Objects for other GL code, for example to draw objects of the caller in front of and behind surfaces. Errors:
     /// BadArgument for a headless drawer.
     [[nodiscard]] Result<FrameObjects> objects();
     /// R, G, B, A (255) bytes of each pixel, top row first, sRGB. Waits for the GPU.

@@ -1,6 +1,7 @@
 #include "engine/DatDirectory.h"
 
 #include "core/platform/Environment.h"
+#include "core/platform/Files.h"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +90,8 @@ Paths knownGameDirectories() {
         Paths paths;
         std::error_code error;
         for (fs::directory_iterator it(directory, error), end; !error && it != end; it.increment(error))
-            paths.push_back(it->path());
+            if (platform::isText(it->path()))
+                paths.push_back(it->path());
         std::sort(paths.begin(), paths.end());
         return paths;
     };

@@ -25,7 +25,7 @@ struct Viewpoint {
     std::optional<std::uint32_t> cell{};
 };
 
-/// The files of one world, open for reading. Copies share the files. Several threads may use one.
+/// The files of one world, open for reading. Copies share the files. Several threads may use one object.
 class LIMEN_API OpenedWorld {
 public:
     /// Opens the dat files at `path`: a directory, one of its files, or a directory above it. Empty: the built-in world,
@@ -43,7 +43,7 @@ public:
     /// The viewpoint at which the world begins. Errors: NotFound for a world without places.
     [[nodiscard]] Result<Viewpoint> start() const;
 
-    /// Of the project itself.
+    /// Internal.
     [[nodiscard]] const std::shared_ptr<const WorldSource>& source() const { return source_; }
 
 private:

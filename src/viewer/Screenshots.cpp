@@ -33,7 +33,8 @@ std::uint32_t nextNumber(const fs::path& directory) {
     std::uint32_t largest = 0;
     std::error_code error;
     for (fs::directory_iterator it(directory, error), end; !error && it != end; it.increment(error))
-        largest = std::max(largest, numberOf(it->path()));
+        if (platform::isText(it->path()))
+            largest = std::max(largest, numberOf(it->path()));
     return largest + 1;
 }
 

@@ -26,8 +26,8 @@ enum class PortalFate : std::uint8_t {
 };
 inline constexpr std::size_t kPortalFates = static_cast<std::size_t>(PortalFate::Admitted) + 1;
 
-/// The decisions of a flood at each portal that it tested, in order, for the panel. A portal may have several
-/// entries, also of one visit.
+/// The decisions of a flood at each portal that it tested, in order, for display. A portal may have several entries, also of
+/// one visit.
 struct FloodTrace {
     struct Entry {
         std::uint32_t visit =
@@ -41,7 +41,7 @@ struct FloodTrace {
     void clear() { entries.clear(); }
 };
 
-/// Adds an entry to the trace. A template, so that a flood without a trace has no cost.
+/// Internal: adds an entry to the trace. A template, so that a flood without a trace has no cost.
 template <bool kTraced>
 void note([[maybe_unused]] FloodTrace* trace, [[maybe_unused]] std::uint32_t visit,
           [[maybe_unused]] std::uint32_t portal, [[maybe_unused]] PortalFate fate) {

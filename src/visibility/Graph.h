@@ -13,10 +13,10 @@ namespace limen::visibility {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// A space as the caller describes it: a run of portals, and its zone. The spaces of one zone must be
-/// connected, closed and pairwise disjoint, so that inside it depth alone decides which surface is in front.
-/// No space of a zone may have a wall in the plane of, and right behind, an opening that leads out of the zone.
-/// If the caller cannot guarantee that, every space needs a zone of its own.
+/// A space as the caller describes it: a run of portals, and its zone. The spaces of one zone must be closed, pairwise
+/// disjoint, and connected by exact pairs of portals: inside a zone, depth alone decides which surface is in front.
+/// No space of a zone may have a wall or a portal right behind an opening that leads out of the zone from another space.
+/// checkZones (ZoneCheck.h) finds such faults. A space with a zone of its own has no conditions.
 struct SpaceDesc {
     std::uint32_t firstPortal = 0, portalCount = 0;
     std::uint32_t zone = 0;

@@ -40,7 +40,8 @@ public:
 
     /// Adds a space and returns its number: 0, 1, 2, ... Its zone is its own.
     std::uint32_t addSpace();
-    /// Adds a space to the zone of an earlier one. The zone must be as SpaceDesc requires.
+    /// Adds a space to the zone of an earlier one. The zone must be as SpaceDesc requires;
+    /// checkZones tests it.
     std::uint32_t addSpaceInZoneOf(std::uint32_t other);
     /// Adds an opening and returns its number: 0, 1, 2, ... Faults are reported by `build`.
     std::uint32_t addOpening(OpeningDesc opening);

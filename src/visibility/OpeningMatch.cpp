@@ -72,6 +72,13 @@ OpeningMatch matchOpenings(std::span<const Vec3> a, std::span<const Vec3> b, dou
     return {OpeningMatch::Kind::Overlap, area};
 }
 
+bool overlapsInPlane(std::span<const Vec3> polygon, std::span<const Vec3> opening, const Plane& plane,
+                     double inPlane, double overlap) {
+    return isInPlane(polygon, plane, inPlane) &&
+           overlapOf(polygon, opening, plane.n) >
+               overlap * std::min(perimeterOf(polygon), perimeterOf(opening));
+}
+
 void sortBestFirst(std::vector<PairProposal>& proposals) {
     std::sort(proposals.begin(), proposals.end(), [](const PairProposal& x, const PairProposal& y) {
         if (x.match.kind != y.match.kind)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/Vec.h"
+#include "geometry/Plane.h"
 
 #include <cstdint>
 #include <span>
@@ -22,6 +22,11 @@ struct OpeningMatch {
 /// Compares flat, convex polygons. `tolerance`: metres between corners that are one corner, and between planes that
 /// are one plane. A strip along a common edge that is no wider than the tolerance is no overlap.
 [[nodiscard]] OpeningMatch matchOpenings(std::span<const Vec3> a, std::span<const Vec3> b, double tolerance);
+
+/// True if all of `polygon` is within `inPlane` metres of the plane of an opening, and overlaps it by a strip wider than
+/// `overlap` metres. The opening is convex; the polygon need not be.
+[[nodiscard]] bool overlapsInPlane(std::span<const Vec3> polygon, std::span<const Vec3> opening,
+                                   const Plane& plane, double inPlane, double overlap);
 
 /// Two polygons, by number, that may be the sides of one opening.
 struct PairProposal {

@@ -21,21 +21,20 @@ struct LIMEN_API View {
     [[nodiscard]] Mat3 screenFromEye() const;
 };
 
-/// A view as people describe it.
+/// A view by its eye and its target.
 struct LookAt {
     Vec3 eye{0.0}, target{0.0, 1.0, 0.0}; ///< in the graph's frame; the eye looks at the target
-    Vec3 up{0.0, 0.0, 1.0};               ///< any length; not along the gaze
+    Vec3 up{0.0, 0.0, 1.0};               ///< any length; not parallel to the line from eye to target
     double heightDegrees = 60.0;          ///< the vertical field of view, more than 0 and less than 180
     double aspect = 16.0 / 9.0;           ///< width by height of the picture, > 0
     std::uint32_t root = 0;               ///< the space the eye is in
 };
 
-/// Errors: BadArgument for numbers that are not finite, a target in the eye, `up` along the gaze, an angle or an aspect
-/// out of range.
+/// The view with orthonormal axes. Errors: BadArgument for numbers that are not finite, a target in the eye, `up` parallel to
+/// the line from eye to target, an angle or an aspect out of range.
 [[nodiscard]] LIMEN_API Result<View> viewOf(const LookAt& look);
 
-/// Parts of the method that tests can switch off. Each part is necessary: without it some view is wrong
-/// (docs/proof.md), and a test shows that the check notices.
+/// Parts of the method that tests can switch off. Each part is necessary: without it some view is wrong (docs/proof.md).
 struct Rules {
     bool eyePlaneClip = true; ///< off: openings are clipped 2 cm before the eye, as by a near plane
     bool halfPlane = true;    ///< off: an opening whose plane contains the eye is edge-on and admits no ray

@@ -9,6 +9,7 @@
 
 namespace limen::visibility {
 
+/// The result of a test of a sphere. Partial includes every doubtful case.
 enum class Containment : std::uint8_t { Outside, Partial, Inside };
 
 /// A sphere, eye-relative, with the tolerances of its tests, in metres; made by Viewcones::sphereOf.
@@ -19,7 +20,7 @@ struct SeenSphere {
     double edgeTolerance = 0.0; ///< at planes through the eye: two pixels more
 };
 
-/// Four spheres that are tested together: pointers to the first element of each array. Global.
+/// Four spheres that are tested together: pointers to the first element of each array, in the graph's frame, metres.
 struct SphereQuad {
     static constexpr std::size_t kCount = 4;
     const double* x = nullptr;
@@ -28,9 +29,8 @@ struct SphereQuad {
     const double* radius = nullptr;
 };
 
-/// Sixteen spheres that are tested together, in floats, relative to an origin (world::ListedInstances). No
-/// centre is farther from it along any axis than kMostOffset, so that rounding moves a centre by at most 0.2
-/// mm along each axis.
+/// Sixteen spheres that are tested together, in floats, relative to an origin of the caller's choice. No centre is farther from
+/// it along any axis than kMostOffset, so that rounding moves a centre by at most 0.2 mm along each axis.
 struct SphereBatch {
     static constexpr std::size_t kCount = 16;
     static constexpr double kMostOffset = 4096.0; ///< metres; also the largest radius
@@ -91,8 +91,8 @@ class LIMEN_API Viewcones {
 public:
     /// `vectors`: a set that the processor supports. The results do not depend on it.
     explicit Viewcones(Vectors vectors = widestVectors()) : vectors_(vectors) {}
-    /// `pixel`: the angle of one pixel in radians. A sphere within two pixels of a region counts as touching
-    /// it.
+    /// Copies the visits of a flood with this view. `pixel`: the angle of one pixel in radians; a sphere within two pixels of a
+    /// region touches it. Cost: visits and corners.
     void prepare(const View& view, const VisibleSet& set, double pixel);
 
     /// Tests a sphere against a visit's region and entry plane. Inside means more than contained: the sphere
@@ -122,7 +122,7 @@ public:
     /// The result of `classify` for each of four spheres. Requires a single visit.
     using QuadContainment = std::array<Containment, SphereQuad::kCount>;
     [[nodiscard]] QuadContainment classifyQuad(const SphereQuad& spheres, const Vec3& eye) const;
-    /// `sphere`: eye-relative.
+    /// The sphere, which is eye-relative, with the tolerances of its tests.
     [[nodiscard]] SeenSphere sphereOf(const Sphere& sphere) const {
         const double distance = std::sqrt(glm::dot(sphere.centre, sphere.centre)) + sphere.radius;
         const double tolerance = kTolerance + kToleranceShare * distance;

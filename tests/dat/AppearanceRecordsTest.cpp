@@ -13,12 +13,12 @@ TEST(PaletteSetCodec, readsNoneAndSome) {
     const Bytes none = hex("07 00 00 0F  00 00 00 00");
     const auto empty = decode<PaletteSet>(0x0F000007, none);
     ASSERT_TRUE(empty) << empty.error().message();
-    EXPECT_EQ(encode(*empty), none);
+    EXPECT_EQ(*encode(*empty), none);
     const Bytes bytes = hex("07 00 00 0F  02 00 00 00  01 00 00 04  0A 00 00 04");
     const auto s = decode<PaletteSet>(0x0F000007, bytes);
     ASSERT_TRUE(s) << s.error().message();
     EXPECT_EQ(s->palettes, (std::vector<std::uint32_t>{0x04000001, 0x0400000A}));
-    EXPECT_EQ(encode(*s), bytes);
+    EXPECT_EQ(*encode(*s), bytes);
 }
 
 TEST(ClothingTableCodec, readsTheLeastThereCanBe) {
@@ -26,7 +26,7 @@ TEST(ClothingTableCodec, readsTheLeastThereCanBe) {
     const auto t = decode<ClothingTable>(0x10000001, bytes);
     ASSERT_TRUE(t) << t.error().message();
     EXPECT_EQ(t->parts.buckets, 32);
-    EXPECT_EQ(encode(*t), bytes);
+    EXPECT_EQ(*encode(*t), bytes);
 }
 
 TEST(ClothingTableCodec, readsPartsTexturesAndPalettes) {
@@ -56,7 +56,7 @@ TEST(ClothingTableCodec, readsPartsTexturesAndPalettes) {
     EXPECT_EQ(colours.icon, 0x0600AABBu);
     EXPECT_EQ(colours.changes.at(0).ranges.at(1).offset, 168u);
     EXPECT_EQ(colours.changes[0].palettes, 0x0F00002Fu);
-    EXPECT_EQ(encode(*t), bytes);
+    EXPECT_EQ(*encode(*t), bytes);
     const auto json = nlohmann::json::parse(describe(*t));
     EXPECT_EQ(json["parts"][0]["changes"][0]["textures"][0]["to"], "0x05000022");
     EXPECT_EQ(json["palettes"][0]["changes"][0]["ranges"][0]["count"], 12);
@@ -66,7 +66,7 @@ TEST(DegradeInfoCodec, readsNoneAndSome) {
     const Bytes none = hex("EF 00 00 11  00 00 00 00");
     const auto empty = decode<DegradeInfo>(0x110000EF, none);
     ASSERT_TRUE(empty) << empty.error().message();
-    EXPECT_EQ(encode(*empty), none);
+    EXPECT_EQ(*encode(*empty), none);
     const Bytes bytes = hex(R"(
         EF 00 00 11  02 00 00 00
         34 12 00 01  01 00 00 00  00 00 00 00  00 00 A0 41  00 00 20 42     # 01001234, a mesh, 0, 20, 40 m
@@ -79,7 +79,7 @@ TEST(DegradeInfoCodec, readsNoneAndSome) {
     EXPECT_EQ(d->levels[0].maxDistance, 40.0f);
     EXPECT_NE(d->levels[1].mode, DegradeLevel::kMesh);
     EXPECT_EQ(d->levels[1].idealDistance, 80.0f);
-    EXPECT_EQ(encode(*d), bytes);
+    EXPECT_EQ(*encode(*d), bytes);
     EXPECT_EQ(nlohmann::json::parse(describe(*d))["levels"][1]["gfx_obj"], "0x01001235");
 }
 

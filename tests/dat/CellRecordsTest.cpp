@@ -37,7 +37,7 @@ TEST(EnvCellCodec, readsTheQuotedCell) {
     EXPECT_EQ(c->portals[2].otherCellId, 0x103);
     EXPECT_EQ(c->portals[2].otherPortalId, 2);
     EXPECT_EQ(c->visibleCells, (std::vector<std::uint16_t>{0x103, 0x104}));
-    EXPECT_EQ(encode(*c), bytes);
+    EXPECT_EQ(*encode(*c), bytes);
 }
 
 TEST(EnvCellCodec, staticsAndRestrictionFollowTheFlags) {
@@ -53,7 +53,7 @@ TEST(EnvCellCodec, staticsAndRestrictionFollowTheFlags) {
     EXPECT_EQ(c->statics[0].model, 0x02000001u);
     EXPECT_EQ(c->statics[0].frame.origin, Vec3f(1.0f, 2.0f, 3.0f));
     EXPECT_EQ(c->restriction, 0x12345678u);
-    EXPECT_EQ(encode(*c), bytes);
+    EXPECT_EQ(*encode(*c), bytes);
 }
 
 TEST(EnvCellCodec, refusesASecondIdThatDiffers) {
@@ -90,7 +90,7 @@ TEST(LandBlockCodec, readsTerrainColumnsFromWestToEast) {
     EXPECT_EQ(b->heights[79], 93);
     EXPECT_EQ(b->heights[80], 110);
     EXPECT_EQ(b->padding, 0xCD);
-    EXPECT_EQ(encode(*b), bytes);
+    EXPECT_EQ(*encode(*b), bytes);
 }
 
 // The building with the values of the format page; five stabs need two bytes of padding.
@@ -124,14 +124,14 @@ TEST(LandBlockInfoCodec, readsTheQuotedBuilding) {
     EXPECT_EQ(b.portals[0].otherCellId, 0x104);
     EXPECT_EQ(b.portals[0].otherPortalId, 1);
     EXPECT_EQ(b.portals[0].stabs, (std::vector<std::uint16_t>{0x100, 0x101, 0x102, 0x103, 0x104}));
-    EXPECT_EQ(encode(*info), bytes);
+    EXPECT_EQ(*encode(*info), bytes);
 }
 
 TEST(LandBlockInfoCodec, keepsWhatThePaddingHolds) {
     const Bytes bytes = hex(kQuotedInfo + "CD AB");
     const auto info = decode<LandBlockInfo>(0x1455FFFE, bytes);
     ASSERT_TRUE(info) << info.error().message();
-    EXPECT_EQ(encode(*info), bytes);
+    EXPECT_EQ(*encode(*info), bytes);
 }
 
 TEST(LandBlockInfoCodec, readsObjectsAndRestrictions) {
@@ -146,7 +146,7 @@ TEST(LandBlockInfoCodec, readsObjectsAndRestrictions) {
     EXPECT_EQ(info->objects.at(0).model, 0x01000005u);
     EXPECT_EQ(info->restrictionBuckets, 8);
     EXPECT_EQ(info->restrictions.at(0), (std::pair<std::uint32_t, std::uint32_t>{0x100, 0x87654321}));
-    EXPECT_EQ(encode(*info), bytes);
+    EXPECT_EQ(*encode(*info), bytes);
 }
 
 } // namespace

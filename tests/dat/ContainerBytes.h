@@ -32,7 +32,7 @@ inline Bytes portalFile(RecordId records, std::size_t size) {
     Writer writer(FileTraits::portal());
     for (RecordId id = 1; id <= records; ++id)
         writer.add(id, Bytes(size, static_cast<std::byte>(id)));
-    return writer.build();
+    return *writer.build();
 }
 
 inline Error openError(const Bytes& bytes) {

@@ -44,7 +44,7 @@ TEST(ContainerRules, readsTheSmallestFileTypedByHand) {
 
 // The writer makes the same file except for the number of the iteration.
 TEST(ContainerRules, theWritersSmallestFileHasThatLayout) {
-    const Bytes bytes = Writer(FileTraits::portal()).build();
+    const Bytes bytes = *Writer(FileTraits::portal()).build();
     EXPECT_EQ(bytes.size(), 0x1000u);
     EXPECT_EQ(wordAt(bytes, 0x140), 0x5442u);
     EXPECT_EQ(wordAt(bytes, kRootAt), 0x800u);
@@ -58,7 +58,7 @@ TEST(ContainerRules, theWritersSmallestFileHasThatLayout) {
 TEST(ContainerRules, recordsHaveVersion2AndTheIterationRecordVersion1) {
     Writer writer(FileTraits::portal());
     writer.add(0x04000001, hex("01 00 00 04  01 00 00 00  33 22 11 FF"));
-    const auto file = File::fromBytes(writer.build(), "made.dat");
+    const auto file = File::fromBytes(*writer.build(), "made.dat");
     ASSERT_TRUE(file);
     EXPECT_EQ(file->find(0x04000001).value()->version, 2);
     EXPECT_EQ(file->find(kIterationId).value()->version, 1);
@@ -103,12 +103,12 @@ TEST(Iterations, areRunsAndSingleValues) {
     const auto retail = decodeIterations(hex("18 08 00 00  E8 F7 FF FF  01 00 00 00"));
     ASSERT_TRUE(retail);
     EXPECT_EQ(*retail, (Iterations{2072, {{1, 2072}}}));
-    EXPECT_EQ(toHex(encodeIterations(*retail)), "18 08 00 00 E8 F7 FF FF 01 00 00 00 ");
+    EXPECT_EQ(toHex(*encodeIterations(*retail)), "18 08 00 00 E8 F7 FF FF 01 00 00 00 ");
     const auto mixed =
         decodeIterations(hex("09 00 00 00  FE FF FF FF  03 00 00 00  07 00 00 00  0B 00 00 00"));
     ASSERT_TRUE(mixed);
     EXPECT_EQ(mixed->runs, (std::vector<IterationRun>{{3, 2}, {7, 1}, {11, 1}}));
-    EXPECT_EQ(decodeIterations(encodeIterations(*mixed)).value(), *mixed);
+    EXPECT_EQ(decodeIterations(*encodeIterations(*mixed)).value(), *mixed);
     EXPECT_FALSE(decodeIterations(hex("09 00 00 00  FE FF FF FF")));
     EXPECT_FALSE(decodeIterations(hex("09 00 00 00  FE FF")));
     EXPECT_FALSE(decodeIterations({}));
@@ -276,7 +276,7 @@ TEST(ContainerRules, compressedRecordsAreUnpacked) {
     const Bytes payload(10000, std::byte{7});
     writer.add(5, payload, true);
     writer.add(6, Bytes{}, true);
-    const auto file = File::fromBytes(writer.build(), "z.dat");
+    const auto file = File::fromBytes(*writer.build(), "z.dat");
     ASSERT_TRUE(file);
     EXPECT_LT((*file->find(5))->size, 200u);
     EXPECT_EQ((*file->find(5))->flags, 1);
@@ -294,7 +294,7 @@ TEST(ContainerRules, damagedCompressedRecordsAreRefused) {
     for (std::size_t i = 0; i < payload.size(); ++i)
         payload[i] = static_cast<std::byte>(i * i >> 3);
     writer.add(1, payload, true);
-    const Bytes good = writer.build();
+    const Bytes good = *writer.build();
     const std::uint32_t at = wordAt(good, entryAt(good, 1) + 8) + 4;
     const auto withSize = [&](std::uint32_t size) {
         Bytes bytes = good;

@@ -37,7 +37,7 @@ TEST_P(ContainerRoundTrip, findsReadsAndWalksEveryRecord) {
     const auto idOf = [](RecordId i) { return 0x01000000u + i * 0x2003u; };
     for (RecordId i = 0; i < count; ++i)
         writer.add(idOf(i), patternOf(i, sizeOf(i, blockSize - 4)));
-    const Bytes bytes = writer.build();
+    const Bytes bytes = *writer.build();
     EXPECT_EQ(bytes.size() % blockSize, 0u);
     const auto file = File::fromBytes(bytes, "made.dat");
     ASSERT_TRUE(file) << file.error().message();

@@ -95,7 +95,7 @@ std::string fault(RecordKind kind, RecordId id, const Bytes& bytes) {
         const Result<Record> record = decode<Record>(id, bytes);
         if (!record)
             error = record.error().message();
-        else if (encode(*record) != bytes)
+        else if (*encode(*record) != bytes)
             error = "it is encoded to other bytes";
         else
             error.clear();
@@ -141,7 +141,7 @@ TEST(FormatPages, theSmallestFileIsTheOneThatTheWriterMakes) {
             ASSERT_LE(at + part.size(), file.size()) << line;
             std::copy(part.begin(), part.end(), file.begin() + static_cast<std::ptrdiff_t>(at));
         }
-        const Bytes made = Writer(FileTraits::portal()).build();
+        const Bytes made = *Writer(FileTraits::portal()).build();
         ASSERT_EQ(made.size(), file.size());
         const auto [one, other] = std::mismatch(made.begin(), made.end(), file.begin());
         EXPECT_TRUE(one == made.end()) << "they differ at offset " << (one - made.begin());

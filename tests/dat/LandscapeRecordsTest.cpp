@@ -64,7 +64,7 @@ TEST(RegionCodec, readsTheSmallestRegion) {
     EXPECT_EQ(road.tiling, 2u);
     EXPECT_EQ(road.minHue, 0x15u);
     EXPECT_EQ(road.detailTexture, 0x05000005u);
-    EXPECT_EQ(encode(*r), bytes);
+    EXPECT_EQ(*encode(*r), bytes);
 }
 
 TEST(RegionCodec, readsItsPartsInTheOrderSkySoundScene) {
@@ -102,7 +102,7 @@ TEST(RegionCodec, readsItsPartsInTheOrderSkySoundScene) {
     EXPECT_EQ(r->sceneTypes[0].scenes, (std::vector<std::uint32_t>{0x12000001, 0x12000002}));
     EXPECT_EQ(r->misc.gameMap, 0x0600127Du);
     EXPECT_EQ(r->misc.clearMonster, 0x01001612u);
-    EXPECT_EQ(encode(*r), bytes);
+    EXPECT_EQ(*encode(*r), bytes);
 }
 
 TEST(RegionCodec, refusesStringPaddingThatIsNotZero) {
@@ -118,7 +118,7 @@ TEST(RegionCodec, longStringsHaveALongLengthAndOnlyThey) {
     r.id = kRegionId;
     for (const std::size_t length : {0xFFFEu, 0xFFFFu, 0x10001u}) {
         r.name.assign(length, 'x');
-        const Bytes bytes = encode(r);
+        const Bytes bytes = *encode(r);
         EXPECT_EQ(std::to_integer<int>(bytes[12]), length == 0xFFFE ? 0xFE : 0xFF);
         const auto again = decode<Region>(kRegionId, bytes);
         ASSERT_TRUE(again) << again.error().message();
@@ -162,7 +162,7 @@ TEST(SceneCodec, anObjectTakes76Bytes) {
     EXPECT_EQ(o.align, 1);
     EXPECT_EQ(o.orient, -1);
     EXPECT_EQ(o.weenieObj, 0x12345678u);
-    EXPECT_EQ(encode(*s), bytes);
+    EXPECT_EQ(*encode(*s), bytes);
 }
 
 } // namespace

@@ -65,7 +65,7 @@ TYPED_TEST_SUITE(MemoryBound, RecordTypes::As<testing::Types>);
 TYPED_TEST(MemoryBound, malformedCountsNeverAllocateMuchMoreThanTheInput) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
         const auto record = RandomRecords(seed).make<TypeParam>();
-        const Bytes good = encode(record);
+        const Bytes good = *encode(record);
         RecordId id = 0;
         if constexpr (requires { record.id; })
             id = record.id;
@@ -96,7 +96,7 @@ TEST(MemoryBoundFile, damagedFilesNeverAllocateMuchMoreThanTheyAreLong) {
     Writer writer(FileTraits::cell());
     for (RecordId id = 1; id < 200; ++id)
         writer.add(id, Bytes(id * 5), id % 10 == 0);
-    const Bytes good = writer.build();
+    const Bytes good = *writer.build();
     std::mt19937 random(5);
     for (int round = 0; round < 400; ++round) {
         Bytes bytes = good;

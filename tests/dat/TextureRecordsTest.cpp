@@ -13,7 +13,7 @@ TEST(PaletteCodec, readsCountAndColours) {
     ASSERT_EQ(p->colours.size(), 2u);
     EXPECT_EQ(p->colours[0].argb, 0xFF112233u);
     EXPECT_EQ(p->colours[1].argb, 0x80FF0000u);
-    EXPECT_EQ(encode(*p), bytes);
+    EXPECT_EQ(*encode(*p), bytes);
 }
 
 TEST(PaletteCodec, refusesANegativeCountAndOneBeyondTheBytes) {
@@ -32,7 +32,7 @@ TEST(SurfaceTextureCodec, readsTheOneByteTypeAndTheImages) {
     ASSERT_TRUE(s) << s.error().message();
     EXPECT_EQ(s->type, 2);
     EXPECT_EQ(s->images, (std::vector<std::uint32_t>{0x06001234, 0x06001235}));
-    EXPECT_EQ(encode(*s), bytes);
+    EXPECT_EQ(*encode(*s), bytes);
 }
 
 TEST(RenderSurfaceCodec, readsPixelsWithoutAPalette) {
@@ -45,7 +45,7 @@ TEST(RenderSurfaceCodec, readsPixelsWithoutAPalette) {
     EXPECT_EQ(s->format, PixelFormat::A8R8G8B8);
     EXPECT_EQ(s->pixels.size(), 8u);
     EXPECT_EQ(s->pixels[7], 0x7F);
-    EXPECT_EQ(encode(*s), bytes);
+    EXPECT_EQ(*encode(*s), bytes);
 }
 
 TEST(RenderSurfaceCodec, indexedFormatsEndWithAPalette) {
@@ -56,7 +56,7 @@ TEST(RenderSurfaceCodec, indexedFormatsEndWithAPalette) {
         ASSERT_TRUE(s) << s.error().message();
         EXPECT_EQ(s->category, 7u);
         EXPECT_EQ(s->defaultPalette, 0x0400007Bu);
-        EXPECT_EQ(encode(*s), bytes);
+        EXPECT_EQ(*encode(*s), bytes);
     }
 }
 
@@ -78,7 +78,7 @@ TEST(RenderSurfaceCodec, aRawJpegKnowsItsOwnSize) {
     const auto s = decode<RenderSurface>(0x06000001, bytes);
     ASSERT_TRUE(s) << s.error().message();
     EXPECT_EQ(s->width, -1);
-    EXPECT_EQ(encode(*s), bytes);
+    EXPECT_EQ(*encode(*s), bytes);
 }
 
 TEST(RenderSurfaceCodec, refusesAbsurdSizesAndUnknownFormats) {
@@ -102,7 +102,7 @@ TEST(SurfaceCodec, readsTheQuotedImageSurface) {
     EXPECT_EQ(s->palette, 0u);
     EXPECT_FLOAT_EQ(s->diffuse, 0.80078125f);
     EXPECT_EQ(bytes.size(), 24u);
-    EXPECT_EQ(encode(*s), bytes);
+    EXPECT_EQ(*encode(*s), bytes);
 }
 
 TEST(SurfaceCodec, readsTheQuotedSolidSurface) {
@@ -113,7 +113,7 @@ TEST(SurfaceCodec, readsTheQuotedSolidSurface) {
     EXPECT_EQ(s->colour.argb, 0xFF6F3916u);
     EXPECT_EQ(s->diffuse, 1.0f);
     EXPECT_EQ(bytes.size(), 20u);
-    EXPECT_EQ(encode(*s), bytes);
+    EXPECT_EQ(*encode(*s), bytes);
 }
 
 } // namespace

@@ -68,10 +68,10 @@ struct Files {
     VerifyReport verified(const VerifyOptions& options = {}) const {
         std::vector<File> files;
         if (withPortal)
-            files.push_back(*File::fromBytes(portal.build(), "portal"));
-        files.push_back(*File::fromBytes(cell.build(), "cell"));
+            files.push_back(*File::fromBytes(*portal.build(), "portal"));
+        files.push_back(*File::fromBytes(*cell.build(), "cell"));
         if (withHighres)
-            files.push_back(*File::fromBytes(highres.build(), "highres"));
+            files.push_back(*File::fromBytes(*highres.build(), "highres"));
         std::vector<const File*> list;
         for (const File& file : files)
             list.push_back(&file);
@@ -205,8 +205,8 @@ TYPED_TEST(References, ofRandomRecordsAreJudgedWithoutHarm) {
         if constexpr (requires { record.id; })
             record.id = id;
         Writer writer(isCell ? FileTraits::cell() : FileTraits::portal());
-        writer.add(id, encode(record));
-        const File file = *File::fromBytes(writer.build(), "one");
+        writer.add(id, *encode(record));
+        const File file = *File::fromBytes(*writer.build(), "one");
         const File* const list[] = {&file};
         const VerifyReport report = verify(list);
         EXPECT_EQ(report.byKind[static_cast<std::size_t>(kind)].records, 1u);

@@ -24,14 +24,14 @@ void putWordAt(dat::Bytes& bytes, std::size_t at, std::uint32_t word) {
 /// A directory with a small, sound world.
 class FileHealthTest : public testing::Test {
 protected:
-    FileHealthTest() : portal(test::OriginalRecords(test::Values::AsStated).portal().build()) {
+    FileHealthTest() : portal(*test::OriginalRecords(test::Values::AsStated).portal().build()) {
         dat::Writer cells(dat::FileTraits::cell());
         dat::LandBlock land;
         for (std::uint32_t x = 0; x < 200; ++x) {
             land.id = x << 24 | 0xFFFF;
             cells.add(land);
         }
-        cell = cells.build();
+        cell = *cells.build();
     }
     [[nodiscard]] std::filesystem::path put(const char* name, const dat::Bytes& bytes) const {
         test::putText(directory / name, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -153,12 +153,12 @@ protected:
 };
 
 TEST_F(WorldHealthTest, namesMissingRecords) {
-    portal = dat::Writer(dat::FileTraits::portal()).build();
+    portal = *dat::Writer(dat::FileTraits::portal()).build();
     const Findings findings = world();
     EXPECT_EQ(outcomeOf(findings, "region"), Outcome::Failed);
     EXPECT_EQ(outcomeOf(findings, "land and cells"), Outcome::Ok);
     EXPECT_EQ(outcomeOf(findings, "shapes"), Outcome::Warning) << "no surfaces";
-    cell = dat::Writer(dat::FileTraits::cell()).build();
+    cell = *dat::Writer(dat::FileTraits::cell()).build();
     EXPECT_EQ(outcomeOf(world(), "land and cells"), Outcome::Failed);
     EXPECT_EQ(outcomeOf(world(), "region"), Outcome::Warning) << "without landscape";
 }
@@ -171,7 +171,7 @@ TEST_F(WorldHealthTest, sampleAndThoroughFindADamagedRecord) {
         cells.add(land);
     }
     cells.add(0x0000FFFF, dat::Bytes(7)); // the first of its kind is in every sample
-    cell = cells.build();
+    cell = *cells.build();
     EXPECT_EQ(outcomeOf(world(), "sample"), Outcome::Failed);
     const Findings thorough = world(true);
     EXPECT_EQ(outcomeOf(thorough, "all records"), Outcome::Failed);

@@ -58,7 +58,7 @@ dat::Polygon bareTriangle(std::int16_t surface) {
 
 dat::Archive archiveOf(const dat::Writer& portal, const dat::Writer& cell) {
     const auto open = [](const dat::Writer& writer, const char* name) {
-        return std::move(dat::File::fromBytes(writer.build(), name).value());
+        return std::move(dat::File::fromBytes(*writer.build(), name).value());
     };
     return dat::Archive::of(open(portal, "portal"), open(cell, "cell"));
 }

@@ -189,6 +189,16 @@ TEST(FrameDrawer, readsOnlyFramesThatHaveTheImage) {
     EXPECT_THAT(drawer.surfaceAt(0, kHeight).error().message(), HasSubstr("outside"));
 }
 
+TEST(FrameDrawer, refusesCallsAfterItWasMovedAway) {
+    FrameDrawer drawer = FrameDrawer::headless(village(), {.radius = 0}).value();
+    FrameDrawer other = std::move(drawer);
+    EXPECT_THAT(drawer.draw(frameAt("inn.hall")).error().message(), HasSubstr("moved")); // NOLINT: on purpose
+    EXPECT_THAT(drawer.load({}).error().message(), HasSubstr("moved"));
+    EXPECT_THAT(drawer.readColour().error().message(), HasSubstr("moved"));
+    EXPECT_EQ(drawer.driver(), "");
+    EXPECT_TRUE(other.draw(frameAt("inn.hall")));
+}
+
 // ---- In the context of another program ------------------------------------------------------------------------------
 
 /// Another program's context, current on this thread.

@@ -1,5 +1,7 @@
 // Zones are disjoint and closed: compared with a count of crossings that is independent of the code that
 // makes zones.
+#include "frame/WorldGraph.h"
+#include "visibility/ZoneCheck.h"
 #include "worlds/GeneratedWorlds.h"
 
 #include <gtest/gtest.h>
@@ -115,6 +117,48 @@ TEST(ZoneProperty, cellsOfOneZoneAreClosedAndDisjoint) {
         }
     }
     EXPECT_GT(inside, 1000u) << "too few points were in a cell for a meaningful test";
+}
+
+/// The faces of all cells as walls.
+void addWalls(const world::World& world, std::vector<visibility::WallDesc>& walls,
+              std::vector<Vec3>& vertices) {
+    for (std::uint32_t i = 0; i < world.spaces.size(); ++i) {
+        if (world.spaces[i].shell == world::kNone)
+            continue; // the outside
+        for (const Face& face : facesOf(world, world.spaces[i])) {
+            walls.push_back({i, static_cast<std::uint32_t>(vertices.size()), 3});
+            vertices.insert(vertices.end(), {face.a, face.b, face.c});
+        }
+    }
+}
+
+TEST(ZoneProperty, zonesOfWorldsPassTheCheckOfCallersGraphs) {
+    std::size_t compared = 0, faults = 0;
+    for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+        for (const auto kind : {worlds::GeneratedKind::Complex, worlds::GeneratedKind::Dungeon,
+                                worlds::GeneratedKind::Nested}) {
+            const worlds::test::GeneratedWorld files({kind, 30, seed, 0.05});
+            world::World world = files.load(files.blocks().front());
+            std::vector<visibility::WallDesc> walls;
+            std::vector<Vec3> vertices;
+            addWalls(world, walls, vertices);
+            const auto graph = frame::visibilityGraph(world);
+            ASSERT_TRUE(graph);
+            const Result<void> checked = visibility::checkZones(*graph, walls, vertices);
+            EXPECT_TRUE(checked) << worlds::test::nameOf(files.spec()) << ": " << checked.error().message();
+            compared += walls.size();
+            for (std::uint32_t i = 1; i < world.spaces.size(); ++i)
+                world.spaces[i].zone = world.spaces[1].zone; // all cells in one zone
+            const auto merged = frame::visibilityGraph(world);
+            ASSERT_TRUE(merged);
+            faults +=
+                kind == worlds::GeneratedKind::Nested && !visibility::checkZones(*merged, walls, vertices)
+                    ? 1
+                    : 0;
+        }
+    }
+    EXPECT_GT(compared, 10000u) << "too few walls for a meaningful test";
+    EXPECT_GT(faults, 0u) << "nested rooms in one zone are no fault";
 }
 
 } // namespace

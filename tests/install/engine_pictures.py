@@ -38,15 +38,20 @@ def predicted(rule, left, above, corner):
     return (0, left, above, (left + above) // 2)[rule]
 
 
+def faults_of_room(name, rows):
+    """A line for each expectation of a picture of a lit room that does not hold."""
+    if (len(rows), len(rows[0])) != (360, 640):
+        yield f"{name}: {len(rows[0])}x{len(rows)} pixels"
+    colours = len({pixel for row in rows for pixel in row})
+    if colours < 1000:
+        yield f"{name}: {colours} colours only; a lit room has more"
+
+
 def faults(plain, overlaid):
     """A line for each expectation that does not hold."""
     frame, both = picture(plain), picture(overlaid)
-    for name, rows in (("frame", frame), ("overlay", both)):
-        if (len(rows), len(rows[0])) != (360, 640):
-            yield f"{name}: {len(rows[0])}x{len(rows)} pixels"
-        colours = len({pixel for row in rows for pixel in row})
-        if colours < 1000:
-            yield f"{name}: {colours} colours only; a lit room has more"
+    yield from faults_of_room("frame", frame)
+    yield from faults_of_room("overlay", both)
     orange = [(x, y) for y, row in enumerate(both) for x, pixel in enumerate(row) if pixel == ORANGE]
     if not 3400 < len(orange) < 3510 or not all(30 < x < 130 and 265 < y < 345 for x, y in orange):
         yield f"overlay: {len(orange)} orange pixels, where the triangle has 3,456"

@@ -71,6 +71,21 @@ class Visibility(unittest.TestCase):
         with self.assertRaises(IndexError):
             flood.region(3)
 
+    def test_zones(self):
+        builder = vis.GraphBuilder()
+        a = builder.add_space()
+        b, attic = builder.add_space_in_zone_of(a), builder.add_space()
+        builder.add_opening(a, b, doorway(-9))
+        builder.add_opening(a, attic, doorway(4))
+        graph, openings = builder.build()
+        graph.check_zones()
+        wall = np.array([[0, 4, 0], [4, 4, 0], [4, 4, 3], [0, 4, 3]], dtype=float)
+        graph.check_zones([(a, wall), (b, wall + [0, 0.01, 0])])
+        with self.assertRaisesRegex(limen.Error, f"portal {openings[1, 0]}, from space 0 to space 2: .* a wall of space 1"):
+            graph.check_zones([(a, wall), (b, wall)])
+        with self.assertRaisesRegex(limen.Error, "wall 1: names a space"):
+            graph.check_zones([(a, wall), (9, wall)])
+
     def test_errors(self):
         builder = vis.GraphBuilder()
         builder.add_space()

@@ -57,6 +57,23 @@ class Release(unittest.TestCase):
         for name, digest in sums.items():
             self.assertEqual(hashlib.sha256((output / name).read_bytes()).hexdigest(), digest, name)
 
+    def test_the_scripts_that_make_archives_take_a_folder(self):
+        """Those of the tests do. A script that ignored the folder would leave its archive out of the release."""
+        for name in ("make-debs", "make-archive", "make-windows-zip"):
+            script = (SOURCE / "tools" / name).read_text()
+            self.assertIn(f"# tools/{name} [DIRECTORY]:", script)
+            self.assertIn('mkdir -p "${1:-', script)
+
+    def test_fails_without_an_archive_of_each_kind(self):
+        for name in ("make-debs", "make-archive", "make-windows-zip"):
+            self.write(f"tools/{name}", '#!/bin/sh\nexit 0\n')
+            self.commit()
+            done = self.release("1.2.3")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(f"tools/{name} wrote nothing", done.stderr)
+            shutil.rmtree(self.root / "build")
+            self.write(f"tools/{name}", MAKER.format(f"{name}.out"))
+
     def test_says_that_the_archive_for_windows_is_missing(self):
         (self.root / "tools/make-windows-zip").unlink()
         self.commit()

@@ -12,11 +12,11 @@ import unittest
 import zlib
 
 
-def start_server(screen="800x600x24"):
+def start_server(screen="800x600x24", *options):
     """An Xvfb that chooses a free display itself."""
     read, write = os.pipe()
     server = subprocess.Popen(
-        ["Xvfb", "-displayfd", str(write), "-screen", "0", screen, "-nolisten", "tcp"],
+        ["Xvfb", "-displayfd", str(write), "-screen", "0", screen, "-nolisten", "tcp", *options],
         pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     os.close(write)
     with os.fdopen(read) as pipe:

@@ -135,6 +135,29 @@ static void testMove(void) {
     limen_graph_destroy(graph);
 }
 
+/* The yard and the parlour touch in y = 9 and are in one zone; a hatch in it leads from the yard to the hall. */
+static void testZones(void) {
+    static const limen_vec3 corners[] = {{1, 9, 0}, {3, 9, 0}, {3, 9, 2}, {1, 9, 2},  /* yard to hall */
+                                         {8, 0, 0}, {8, 2, 0}, {8, 2, 2}, {8, 0, 2},  /* yard to parlour */
+                                         {8, 2, 0}, {8, 0, 0}, {8, 0, 2}, {8, 2, 2},  /* back */
+                                         {0, 9, 0}, {4, 9, 0}, {4, 9, 3}, {0, 9, 3}}; /* a wall of the parlour */
+    static const limen_space zoned[] = {{0, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    static const limen_portal portals[] = {{0, 1, LIMEN_NONE, 0, 4, 1}, {0, 2, 2, 4, 4, 1}, {2, 0, 1, 8, 4, 1}};
+    static const limen_wall walls[] = {{2, 12, 4}};
+    limen_graph* graph = NULL;
+    limen_error error;
+    EXPECT(limen_graph_create(zoned, 3, portals, 3, corners, 16, &graph, &error) == LIMEN_OK);
+    EXPECT(limen_graph_check_zones(graph, NULL, 0, NULL, 0, &error) == LIMEN_OK && error.status == LIMEN_OK);
+    EXPECT(limen_graph_check_zones(graph, walls, 1, corners, 16, &error) == LIMEN_BAD_ARGUMENT);
+    EXPECT(strcmp(error.text, "portal 0, from space 0 to space 1: leads out of the zone, and a wall of space 2, which is in "
+                              "the same zone, is right behind it; give space 2 a zone of its own") == 0);
+    EXPECT(limen_graph_check_zones(graph, walls, 1, corners, 15, &error) == LIMEN_BAD_ARGUMENT);
+    EXPECT(strcmp(error.text, "wall 0: has vertices outside the array") == 0);
+    EXPECT(limen_graph_check_zones(graph, NULL, 1, corners, 16, NULL) == LIMEN_BAD_ARGUMENT);
+    EXPECT(limen_graph_check_zones(NULL, walls, 1, corners, 16, NULL) == LIMEN_BAD_ARGUMENT);
+    limen_graph_destroy(graph);
+}
+
 static void testErrors(void) {
     limen_graph* graph = house();
     limen_graph* other = graph;
@@ -179,7 +202,7 @@ static void testErrors(void) {
 
 /* A program compiled with these headers must work with the next library of the same soname. */
 static void testLayout(void) {
-    EXPECT(sizeof(limen_space) == 12 && sizeof(limen_portal) == 24 && sizeof(limen_vec3) == 24);
+    EXPECT(sizeof(limen_wall) == 12 && sizeof(limen_space) == 12 && sizeof(limen_portal) == 24 && sizeof(limen_vec3) == 24);
     EXPECT(sizeof(limen_view) == 120 && offsetof(limen_view, tan_half_x) == 96 && offsetof(limen_view, root) == 112);
     EXPECT(sizeof(limen_visit) == 64 && offsetof(limen_visit, entry_plane) == 32);
     EXPECT(sizeof(limen_seen) == 40 && sizeof(limen_counts) == 16 && sizeof(limen_rect) == 16);
@@ -191,6 +214,7 @@ int main(void) {
     testClosedDoor();
     testRegions();
     testMove();
+    testZones();
     testErrors();
     testLayout();
     if (failures == 0)

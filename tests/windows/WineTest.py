@@ -13,10 +13,11 @@ import sys
 import unittest
 import zipfile
 
-from WineDriver import ODD, SECONDS, USER, Wine, png_pixels
+from WineDriver import ODD, SECONDS, SOURCES, USER, Wine, png_pixels
 
 Wine.zip = sys.argv.pop(1)
 LIMEN, CACHE = os.path.abspath(sys.argv.pop(1)), os.path.abspath(sys.argv.pop(1))
+ROOT = SOURCES.resolve().parent.parent
 VIEW = ["--at", "inn.hall", "--size", "320x180"]
 ROWS = """INSERT INTO `weenie` (`class_Id`, `class_Name`, `type`, `last_Modified`) VALUES (5, 'door', 19, '2020');
 INSERT INTO `weenie_properties_string` (`object_Id`, `type`, `value`) VALUES (5, 1, 'Дверь für alle');
@@ -104,6 +105,28 @@ class WineVerbs(Wine):
         (self.work / "alt.txt").write_bytes(b"--at hill -o H\xfcgel.png\n")  # in the code page 1252
         self.limen("shot", "--views", "alt.txt", "-o", "alt", "--size", "64x36")
         self.assertEqual([path.name for path in (self.work / "alt").glob("*.png")], ["H\N{REPLACEMENT CHARACTER}gel.png"])
+
+    def test_half_of_a_surrogate_pair_is_one_clear_line(self):
+        """Such a name cannot be text. Wine cannot make a file of such a name, but can hand it over as an argument."""
+        helper = self.work / "half.exe"
+        self.compile("HalfPair.c", helper)
+        for command in (["places", "--dat", "w?lt"], ["shot", *VIEW, "-o", "h?lbe.png"], ["dat", "verify", "a?.dat"]):
+            done = subprocess.run(["wine", helper, self.windows_path(self.program), *command], env=self.env, cwd=self.work,
+                                  capture_output=True, timeout=SECONDS, check=False)
+            message = done.stderr.decode()
+            self.assertEqual((done.returncode, done.stdout, message.count("\n")), (2, b"", 1), message)
+            self.assertIn("'" + command[-1].replace("?", "\N{REPLACEMENT CHARACTER}") + "'", message)
+            self.assertIn("half of a surrogate pair", message)
+        self.assertEqual(list(self.work.glob("h*lbe.png")), [])
+
+    def test_names_that_can_be_text(self):
+        program = self.work / "wellformed.exe"
+        platform = ROOT / "src/core/platform/windows"
+        subprocess.run(["x86_64-w64-mingw32-g++-posix", "-std=c++20", "-static", "-DNOMINMAX", "-D_WIN32_WINNT=0x0A00", f"-I{ROOT}/src",
+                        SOURCES / "WellFormedTest.cpp", *(platform / f"{name}.cpp" for name in ("Files", "Process", "Text")),
+                        ROOT / "src/core/Error.cpp", ROOT / "src/core/Assert.cpp", "-o", program], check=True)
+        done = subprocess.run(["wine", program], env=self.env, capture_output=True, timeout=SECONDS, check=False)
+        self.assertEqual((done.returncode, done.stdout), (0, b""))
 
     def test_placed_objects_come_from_an_archive_and_a_database_with_odd_names(self):
         with zipfile.ZipFile(self.work / "Städte мир.zip", "w") as archive:

@@ -223,7 +223,7 @@ TEST(LoadWorld, leavesOutACellWithoutAUsablePolygon) {
             }
             return true;
         }));
-        return *dat::File::fromBytes(writer.build(), "copy");
+        return *dat::File::fromBytes(*writer.build(), "copy");
     };
     const auto front = whole->load<dat::EnvCell>(house.source.id(house.front));
     ASSERT_TRUE(front);

@@ -202,7 +202,7 @@ void expectStored(const dat::Archive& archive, const std::vector<Record>& record
     for (const Record& record : records) {
         const auto read = archive.load<Record>(record.id);
         ASSERT_TRUE(read.has_value()) << read.error().message();
-        EXPECT_EQ(dat::encode(*read), dat::encode(record)) << std::hex << record.id;
+        EXPECT_EQ(*dat::encode(*read), *dat::encode(record)) << std::hex << record.id;
     }
 }
 
@@ -228,7 +228,7 @@ TEST(Files, readBackToTheRecordsThatAreBuiltAnew) {
     for (const auto& [id, surface] : again.surfaces) {
         const auto read = archive->load<dat::Surface>(id);
         ASSERT_TRUE(read.has_value());
-        EXPECT_EQ(dat::encode(*read), dat::encode(surface));
+        EXPECT_EQ(*dat::encode(*read), *dat::encode(surface));
     }
     EXPECT_EQ(bytesOf(folder.path() / "world.json"), again.worldFile.dump(1) + "\n");
 }

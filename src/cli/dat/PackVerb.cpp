@@ -1,6 +1,7 @@
 #include "cli/Choices.h"
 #include "cli/Parse.h"
 #include "cli/dat/DatFiles.h"
+#include "core/platform/Files.h"
 #include "dat/Describe.h"
 #include "dat/Writer.h"
 #include "output/OutputFile.h"
@@ -58,9 +59,13 @@ Result<std::vector<fs::path>> filesOf(const std::vector<std::string>& inputs) {
             continue;
         }
         const std::size_t before = files.size();
-        for (fs::directory_iterator entry(input, error), end; !error && entry != end; entry.increment(error))
+        for (fs::directory_iterator entry(input, error), end; !error && entry != end;
+             entry.increment(error)) {
+            if (!platform::isText(entry->path()))
+                return fail(ErrorCode::Unsupported, input, platform::kNoText);
             if (entry->path().extension() == kExtension)
                 files.push_back(entry->path());
+        }
         if (error)
             return fail(ErrorCode::NotFound, input, error.message());
         if (files.size() == before)

@@ -1,13 +1,16 @@
 #include "cli/Verbs.h"
 #include "cli/windows/ConsoleWindow.h"
+#include "core/platform/Files.h"
 #include "core/platform/windows/Text.h"
 #include "engine/UserFiles.h"
 
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <io.h>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -36,6 +39,16 @@ limen::cli::Exit run(const std::vector<std::string>& arguments) {
     return exit;
 }
 
+/// The first name that cannot be text: an argument, or the current directory; empty if there is none.
+std::wstring noText(int count, wchar_t** texts) {
+    for (int i = 1; i < count; ++i)
+        if (!limen::platform::isWellFormed(texts[i]))
+            return texts[i];
+    std::error_code error;
+    const std::filesystem::path directory = std::filesystem::current_path(error);
+    return limen::platform::isText(directory) ? std::wstring() : directory.native();
+}
+
 } // namespace
 
 extern "C" int wmain(int count, wchar_t** texts) {
@@ -43,6 +56,12 @@ extern "C" int wmain(int count, wchar_t** texts) {
     for (int i = 0; i < count; ++i)
         arguments.push_back(limen::platform::narrowText(texts[i]));
     setBinary();
+    if (const std::wstring name = noText(count, texts); !name.empty()) {
+        limen::cli::Console(stdout, stderr, limen::Interrupt::install())
+            .error({limen::ErrorCode::Unsupported, "'" + limen::platform::narrowText(name) + "'",
+                    limen::platform::kNoText});
+        return static_cast<int>(limen::cli::Exit::Impossible);
+    }
     const bool opensWindow = arguments.size() <= 1 || arguments[1] == "view";
     if (!opensWindow || !limen::cli::isWithoutReader()) {
         const limen::cli::ConsoleWindow console;

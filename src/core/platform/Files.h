@@ -22,6 +22,12 @@ namespace limen::platform {
 /// Shortens a file to `length` bytes and continues there. Fails on devices.
 [[nodiscard]] bool cutFile(int file, std::int64_t length);
 
+/// True if a name can be text, without a loss. On Windows one with half of a surrogate pair of UTF-16 cannot: its conversion
+/// throws. Elsewhere every name can.
+[[nodiscard]] bool isText(const std::filesystem::path& path);
+inline constexpr const char* kNoText =
+    "a name has half of a surrogate pair of UTF-16, and cannot be text; rename the file or directory";
+
 /// True if this user may write to a present file.
 [[nodiscard]] bool isWritable(const std::filesystem::path& path);
 /// Gives a file another name in its directory. A file of that name is replaced in one step.

@@ -52,10 +52,10 @@ Result<PaletteSet> decode<PaletteSet>(RecordId id, ByteView payload) {
     return decodeWith<PaletteSet>(id, payload, [&](ByteReader& io, PaletteSet& s) { paletteSet(io, id, s); });
 }
 template <>
-Bytes encode<PaletteSet>(const PaletteSet& s) {
+Result<Bytes> encode<PaletteSet>(const PaletteSet& s) {
     ByteWriter io;
     paletteSet(io, s.id, s);
-    return io.take();
+    return io.take(s.id);
 }
 
 template <>
@@ -64,10 +64,10 @@ Result<ClothingTable> decode<ClothingTable>(RecordId id, ByteView payload) {
                                      [&](ByteReader& io, ClothingTable& t) { clothingTable(io, id, t); });
 }
 template <>
-Bytes encode<ClothingTable>(const ClothingTable& t) {
+Result<Bytes> encode<ClothingTable>(const ClothingTable& t) {
     ByteWriter io;
     clothingTable(io, t.id, t);
-    return io.take();
+    return io.take(t.id);
 }
 
 } // namespace limen::dat

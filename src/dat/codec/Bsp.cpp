@@ -112,9 +112,10 @@ std::int32_t readNode(ByteReader& io, BspTree& tree, BspKind kind, int depth) {
 }
 
 void writeNode(ByteWriter& io, const BspTree& tree, std::int32_t index, BspKind kind, int depth) {
-    LIMEN_ASSERT(index >= 0 && static_cast<std::size_t>(index) < tree.nodes.size(),
-                 "a BSP node lacks a child");
-    LIMEN_ASSERT(depth < kMaxBspDepth, "a BSP tree is too deep, or a node is its own descendant");
+    io.require(index >= 0 && static_cast<std::size_t>(index) < tree.nodes.size(), "a BSP node lacks a child");
+    io.require(depth < kMaxBspDepth, "a BSP tree is too deep, or a node is its own descendant");
+    if (io.failed())
+        return;
     const BspNode& node = tree.nodes[static_cast<std::size_t>(index)];
     io.value(node.tag);
     if (node.tag == BspTag::Leaf) {
@@ -138,7 +139,7 @@ void bsp(ByteReader& io, BspTree& out, BspKind kind) {
 }
 
 void bsp(ByteWriter& io, const BspTree& in, BspKind kind) {
-    LIMEN_ASSERT(!in.nodes.empty(), "the format wants a BSP tree here; the smallest is a single leaf");
+    io.require(!in.nodes.empty(), "the format requires a BSP tree here; the smallest is a single leaf");
     writeNode(io, in, 0, kind, 0);
 }
 

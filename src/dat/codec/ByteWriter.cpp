@@ -2,8 +2,14 @@
 
 namespace limen::dat {
 
+Result<Bytes> ByteWriter::takeNamed(std::string name) {
+    if (broken_ != nullptr)
+        return fail(ErrorCode::BadArgument, std::move(name), std::string("cannot be encoded: ") + broken_);
+    return std::move(bytes_);
+}
+
 void ByteWriter::packedCount(std::size_t n) {
-    LIMEN_ASSERT(n <= 0x3FFFFFFF, "a packed count has 30 bits");
+    require(n <= 0x3FFFFFFF, "a packed count has 30 bits");
     const auto v = static_cast<std::uint32_t>(n);
     if (v < 0x80) {
         value(static_cast<std::uint8_t>(v));
@@ -21,7 +27,7 @@ void ByteWriter::text(const std::string& in) {
     if (in.size() < 0xFFFF) {
         value(static_cast<std::uint16_t>(in.size()));
     } else {
-        LIMEN_ASSERT(in.size() <= 0xFFFFFFFF, "a string's length has 32 bits");
+        require(in.size() <= 0xFFFFFFFF, "a string's length has 32 bits");
         value(std::uint16_t{0xFFFF});
         value(static_cast<std::uint32_t>(in.size()));
     }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/Assert.h"
 #include "dat/Codec.h"
 
 #include <cstring>
@@ -10,15 +9,21 @@
 
 namespace limen::dat {
 
-/// Writes a record's payload, with the members of ByteReader. Requires (asserted): the format can hold the
-/// record; a list fits its count, say.
+/// Writes a record's payload, with the members of ByteReader. Keeps the first rule of the format that the record breaks.
 class ByteWriter {
 public:
     static constexpr bool kReading = false;
 
     [[nodiscard]] std::size_t offset() const { return bytes_.size(); }
-    [[nodiscard]] bool failed() const { return false; }
-    [[nodiscard]] Bytes take() { return std::move(bytes_); }
+    [[nodiscard]] bool failed() const { return broken_ != nullptr; }
+    /// `rule`: a literal.
+    void require(bool holds, const char* rule) {
+        if (!holds && broken_ == nullptr)
+            broken_ = rule;
+    }
+    /// The bytes, or an error with the broken rule.
+    [[nodiscard]] Result<Bytes> take(RecordId id) { return takeNamed(idText(id)); }
+    [[nodiscard]] Result<Bytes> takeNamed(std::string name);
     void reserve(std::size_t size) { bytes_.reserve(size); }
 
     template <class T>
@@ -32,13 +37,13 @@ public:
 
     template <class List>
     void array(const List& in, std::size_t count) {
-        LIMEN_ASSERT(in.size() == count, "a list must have as many items as the record says elsewhere");
-        if (count != 0)
-            put(in.data(), count * sizeof(typename List::value_type));
+        require(in.size() == count, kOtherCount);
+        if (!in.empty())
+            put(in.data(), in.size() * sizeof(typename List::value_type));
     }
     template <class List, class Item>
     void items(const List& in, std::size_t count, std::size_t, const char*, Item&& item) {
-        LIMEN_ASSERT(in.size() == count, "a list must have as many items as the record says elsewhere");
+        require(in.size() == count, kOtherCount);
         for (const auto& one : in)
             item(one);
     }
@@ -50,8 +55,8 @@ public:
     }
     template <class Count>
     void count(std::size_t n) {
-        LIMEN_ASSERT(n <= static_cast<std::size_t>(std::numeric_limits<Count>::max()),
-                     "a list is longer than its count can say");
+        require(n <= static_cast<std::size_t>(std::numeric_limits<Count>::max()),
+                "a list is longer than its count can say");
         value(static_cast<Count>(n));
     }
     void packedCount(std::size_t n);
@@ -70,7 +75,10 @@ public:
     }
 
 private:
+    static constexpr const char* kOtherCount = "a list must have as many items as the record says elsewhere";
+
     Bytes bytes_;
+    const char* broken_ = nullptr;
 };
 
 } // namespace limen::dat

@@ -130,11 +130,11 @@ Result<EnvCell> decode<EnvCell>(RecordId id, ByteView payload) {
     return decodeWith<EnvCell>(id, payload, [&](ByteReader& io, EnvCell& cell) { envCell(io, id, cell); });
 }
 template <>
-Bytes encode<EnvCell>(const EnvCell& cell) {
-    LIMEN_ASSERT((cell.flags & EnvCell::kHasStatics) || cell.statics.empty(), "statics need kHasStatics");
+Result<Bytes> encode<EnvCell>(const EnvCell& cell) {
     ByteWriter io;
+    io.require((cell.flags & EnvCell::kHasStatics) || cell.statics.empty(), "statics need kHasStatics");
     envCell(io, cell.id, cell);
-    return io.take();
+    return io.take(cell.id);
 }
 
 template <>
@@ -143,10 +143,10 @@ Result<LandBlock> decode<LandBlock>(RecordId id, ByteView payload) {
                                  [&](ByteReader& io, LandBlock& block) { landBlock(io, id, block); });
 }
 template <>
-Bytes encode<LandBlock>(const LandBlock& block) {
+Result<Bytes> encode<LandBlock>(const LandBlock& block) {
     ByteWriter io;
     landBlock(io, block.id, block);
-    return io.take();
+    return io.take(block.id);
 }
 
 template <>
@@ -155,11 +155,11 @@ Result<LandBlockInfo> decode<LandBlockInfo>(RecordId id, ByteView payload) {
         id, payload, [&](ByteReader& io, LandBlockInfo& info) { landBlockInfo(io, id, info); });
 }
 template <>
-Bytes encode<LandBlockInfo>(const LandBlockInfo& info) {
-    LIMEN_ASSERT(info.hasRestrictions != 0 || info.restrictions.empty(), "restrictions need hasRestrictions");
+Result<Bytes> encode<LandBlockInfo>(const LandBlockInfo& info) {
     ByteWriter io;
+    io.require(info.hasRestrictions != 0 || info.restrictions.empty(), "restrictions need hasRestrictions");
     landBlockInfo(io, info.id, info);
-    return io.take();
+    return io.take(info.id);
 }
 
 } // namespace limen::dat

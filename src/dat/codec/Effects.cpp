@@ -68,10 +68,10 @@ Result<ParticleEmitter> decode<ParticleEmitter>(RecordId id, ByteView payload) {
         id, payload, [&](ByteReader& io, ParticleEmitter& e) { particleEmitter(io, id, e); });
 }
 template <>
-Bytes encode<ParticleEmitter>(const ParticleEmitter& e) {
+Result<Bytes> encode<ParticleEmitter>(const ParticleEmitter& e) {
     ByteWriter io;
     particleEmitter(io, e.id, e);
-    return io.take();
+    return io.take(e.id);
 }
 
 template <>
@@ -82,10 +82,10 @@ Result<PhysicsScript> decode<PhysicsScript>(RecordId id, ByteView payload) {
                                           });
 }
 template <>
-Bytes encode<PhysicsScript>(const PhysicsScript& s) {
+Result<Bytes> encode<PhysicsScript>(const PhysicsScript& s) {
     ByteWriter io;
     physicsScript(io, s.id, s, BlockingParticle::Bare);
-    return io.take();
+    return io.take(s.id);
 }
 
 template <>
@@ -94,10 +94,10 @@ Result<PhysicsScriptTable> decode<PhysicsScriptTable>(RecordId id, ByteView payl
         id, payload, [&](ByteReader& io, PhysicsScriptTable& t) { physicsScriptTable(io, id, t); });
 }
 template <>
-Bytes encode<PhysicsScriptTable>(const PhysicsScriptTable& t) {
+Result<Bytes> encode<PhysicsScriptTable>(const PhysicsScriptTable& t) {
     ByteWriter io;
     physicsScriptTable(io, t.id, t);
-    return io.take();
+    return io.take(t.id);
 }
 
 } // namespace limen::dat

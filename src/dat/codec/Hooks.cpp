@@ -70,8 +70,8 @@ void hook(ByteReader& io, AnimationHook& out, BlockingParticle blocking) {
 }
 
 void hook(ByteWriter& io, const AnimationHook& in, BlockingParticle) {
-    LIMEN_ASSERT(in.type < std::size(kPayloadBytes),
-                 "an animation hook of an unknown type cannot be read back");
+    io.require(in.type < std::size(kPayloadBytes),
+               "an animation hook of an unknown type cannot be read back");
     io.value(in.type);
     io.value(in.direction);
     io.array(in.payload, in.payload.size());

@@ -41,9 +41,9 @@ void polygon(ByteReader& io, Polygon& p) {
 
 void polygon(ByteWriter& io, const Polygon& p) {
     const std::size_t n = p.vertexKeys.size();
-    LIMEN_ASSERT(n >= 3 && n <= 255, "a polygon has 3 to 255 vertices");
-    LIMEN_ASSERT(hasPosUv(p) || p.posUv.empty(), "kNoPositiveUv says that there are no positive uvs");
-    LIMEN_ASSERT(hasNegUv(p) || p.negUv.empty(), "only a polygon with two surfaces has negative uvs");
+    io.require(n >= 3 && n <= 255, "a polygon has 3 to 255 vertices");
+    io.require(hasPosUv(p) || p.posUv.empty(), "kNoPositiveUv says that there are no positive uvs");
+    io.require(hasNegUv(p) || p.negUv.empty(), "only a polygon with two surfaces has negative uvs");
     io.value(static_cast<std::uint8_t>(n));
     io.value(p.stippling);
     io.value(p.sides);
@@ -72,7 +72,7 @@ void vertexArray(ByteReader& io, VertexArray& out) {
 }
 
 void vertexArray(ByteWriter& io, const VertexArray& in) {
-    LIMEN_ASSERT(in.type == 1, "only vertex type 1 is known");
+    io.require(in.type == 1, "only vertex type 1 is known");
     io.value(in.type);
     io.list<std::uint32_t>(in.vertices, kMinVertexBytes, "vertices", [&](const auto& keyed) {
         const Vertex& v = keyed.second;

@@ -117,14 +117,14 @@ Result<GfxObj> decode<GfxObj>(RecordId id, ByteView payload) {
     return decodeWith<GfxObj>(id, payload, [&](ByteReader& io, GfxObj& g) { gfxObj(io, id, g); });
 }
 template <>
-Bytes encode<GfxObj>(const GfxObj& g) {
-    LIMEN_ASSERT((g.flags & GfxObj::kPhysics) || (g.physicsPolygons.empty() && g.physicsBsp.nodes.empty()),
-                 "physics content needs kPhysics");
-    LIMEN_ASSERT((g.flags & GfxObj::kDrawing) || (g.polygons.empty() && g.drawingBsp.nodes.empty()),
-                 "drawing content needs kDrawing");
+Result<Bytes> encode<GfxObj>(const GfxObj& g) {
     ByteWriter io;
+    io.require((g.flags & GfxObj::kPhysics) || (g.physicsPolygons.empty() && g.physicsBsp.nodes.empty()),
+               "physics content needs kPhysics");
+    io.require((g.flags & GfxObj::kDrawing) || (g.polygons.empty() && g.drawingBsp.nodes.empty()),
+               "drawing content needs kDrawing");
     gfxObj(io, g.id, g);
-    return io.take();
+    return io.take(g.id);
 }
 
 template <>
@@ -133,10 +133,10 @@ Result<Environment> decode<Environment>(RecordId id, ByteView payload) {
                                    [&](ByteReader& io, Environment& e) { environment(io, id, e); });
 }
 template <>
-Bytes encode<Environment>(const Environment& e) {
+Result<Bytes> encode<Environment>(const Environment& e) {
     ByteWriter io;
     environment(io, e.id, e);
-    return io.take();
+    return io.take(e.id);
 }
 
 template <>
@@ -145,10 +145,10 @@ Result<DegradeInfo> decode<DegradeInfo>(RecordId id, ByteView payload) {
                                    [&](ByteReader& io, DegradeInfo& d) { degradeInfo(io, id, d); });
 }
 template <>
-Bytes encode<DegradeInfo>(const DegradeInfo& d) {
+Result<Bytes> encode<DegradeInfo>(const DegradeInfo& d) {
     ByteWriter io;
     degradeInfo(io, d.id, d);
-    return io.take();
+    return io.take(d.id);
 }
 
 } // namespace limen::dat

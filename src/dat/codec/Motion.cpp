@@ -87,12 +87,12 @@ Result<Animation> decode<Animation>(RecordId id, ByteView payload) {
         [&](ByteReader& io, Animation& a, BlockingParticle blocking) { animation(io, id, a, blocking); });
 }
 template <>
-Bytes encode<Animation>(const Animation& a) {
-    LIMEN_ASSERT((a.flags & Animation::kPositionFrames) || a.positionFrames.empty(),
-                 "position frames need kPositionFrames");
+Result<Bytes> encode<Animation>(const Animation& a) {
     ByteWriter io;
+    io.require((a.flags & Animation::kPositionFrames) || a.positionFrames.empty(),
+               "position frames need kPositionFrames");
     animation(io, a.id, a, BlockingParticle::Bare);
-    return io.take();
+    return io.take(a.id);
 }
 
 template <>
@@ -101,10 +101,10 @@ Result<MotionTable> decode<MotionTable>(RecordId id, ByteView payload) {
                                    [&](ByteReader& io, MotionTable& t) { motionTable(io, id, t); });
 }
 template <>
-Bytes encode<MotionTable>(const MotionTable& t) {
+Result<Bytes> encode<MotionTable>(const MotionTable& t) {
     ByteWriter io;
     motionTable(io, t.id, t);
-    return io.take();
+    return io.take(t.id);
 }
 
 } // namespace limen::dat

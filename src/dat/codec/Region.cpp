@@ -128,7 +128,7 @@ void landSurfType(ByteReader& io, std::uint32_t& type) {
     }
 }
 void landSurfType(ByteWriter& io, const std::uint32_t& type) {
-    LIMEN_ASSERT(type == 0, "only texture merging has a known layout");
+    io.require(type == 0, "only texture merging has a known layout");
     io.value(type);
 }
 
@@ -175,13 +175,13 @@ Result<Region> decode<Region>(RecordId id, ByteView payload) {
     return decodeWith<Region>(id, payload, [&](ByteReader& io, Region& r) { region(io, id, r); });
 }
 template <>
-Bytes encode<Region>(const Region& r) {
-    LIMEN_ASSERT((r.partsMask & Region::kSky) || r.sky.dayGroups.empty(), "a sky needs kSky");
-    LIMEN_ASSERT((r.partsMask & Region::kSound) || r.sounds.empty(), "sounds need kSound");
-    LIMEN_ASSERT((r.partsMask & Region::kScene) || r.sceneTypes.empty(), "scene types need kScene");
+Result<Bytes> encode<Region>(const Region& r) {
     ByteWriter io;
+    io.require((r.partsMask & Region::kSky) || r.sky.dayGroups.empty(), "a sky needs kSky");
+    io.require((r.partsMask & Region::kSound) || r.sounds.empty(), "sounds need kSound");
+    io.require((r.partsMask & Region::kScene) || r.sceneTypes.empty(), "scene types need kScene");
     region(io, r.id, r);
-    return io.take();
+    return io.take(r.id);
 }
 
 template <>
@@ -189,10 +189,10 @@ Result<Scene> decode<Scene>(RecordId id, ByteView payload) {
     return decodeWith<Scene>(id, payload, [&](ByteReader& io, Scene& s) { scene(io, id, s); });
 }
 template <>
-Bytes encode<Scene>(const Scene& s) {
+Result<Bytes> encode<Scene>(const Scene& s) {
     ByteWriter io;
     scene(io, s.id, s);
-    return io.take();
+    return io.take(s.id);
 }
 
 } // namespace limen::dat

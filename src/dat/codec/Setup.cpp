@@ -82,12 +82,12 @@ Result<Setup> decode<Setup>(RecordId id, ByteView payload) {
 }
 
 template <>
-Bytes encode<Setup>(const Setup& s) {
-    LIMEN_ASSERT((s.flags & Setup::kParents) || s.parents.empty(), "parents need kParents");
-    LIMEN_ASSERT((s.flags & Setup::kScales) || s.scales.empty(), "scales need kScales");
+Result<Bytes> encode<Setup>(const Setup& s) {
     ByteWriter io;
+    io.require((s.flags & Setup::kParents) || s.parents.empty(), "parents need kParents");
+    io.require((s.flags & Setup::kScales) || s.scales.empty(), "scales need kScales");
     setup(io, s.id, s, BlockingParticle::Bare);
-    return io.take();
+    return io.take(s.id);
 }
 
 } // namespace limen::dat

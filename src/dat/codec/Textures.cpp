@@ -129,10 +129,10 @@ Result<RenderSurface> decode<RenderSurface>(RecordId id, ByteView payload) {
                                      [&](ByteReader& io, RenderSurface& s) { renderSurface(io, id, s); });
 }
 template <>
-Bytes encode<RenderSurface>(const RenderSurface& s) {
+Result<Bytes> encode<RenderSurface>(const RenderSurface& s) {
     ByteWriter io;
     renderSurface(io, s.id, s);
-    return io.take();
+    return io.take(s.id);
 }
 
 template <>
@@ -141,10 +141,10 @@ Result<SurfaceTexture> decode<SurfaceTexture>(RecordId id, ByteView payload) {
                                       [&](ByteReader& io, SurfaceTexture& s) { surfaceTexture(io, id, s); });
 }
 template <>
-Bytes encode<SurfaceTexture>(const SurfaceTexture& s) {
+Result<Bytes> encode<SurfaceTexture>(const SurfaceTexture& s) {
     ByteWriter io;
     surfaceTexture(io, s.id, s);
-    return io.take();
+    return io.take(s.id);
 }
 
 template <>
@@ -152,10 +152,10 @@ Result<Palette> decode<Palette>(RecordId id, ByteView payload) {
     return decodeWith<Palette>(id, payload, [&](ByteReader& io, Palette& p) { palette(io, id, p); });
 }
 template <>
-Bytes encode<Palette>(const Palette& p) {
+Result<Bytes> encode<Palette>(const Palette& p) {
     ByteWriter io;
     palette(io, p.id, p);
-    return io.take();
+    return io.take(p.id);
 }
 
 template <>
@@ -163,10 +163,10 @@ Result<Surface> decode<Surface>(RecordId id, ByteView payload) {
     return decodeWith<Surface>(id, payload, [&](ByteReader& io, Surface& s) { surface(io, s); });
 }
 template <>
-Bytes encode<Surface>(const Surface& s) {
+Result<Bytes> encode<Surface>(const Surface& s) {
     ByteWriter io;
     surface(io, s);
-    return io.take();
+    return io.takeNamed("Surface");
 }
 
 } // namespace limen::dat

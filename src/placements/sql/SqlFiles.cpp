@@ -30,6 +30,8 @@ Result<void> addDirectory(const fs::path& root, std::size_t source, std::vector<
     std::error_code error;
     const std::size_t first = out.size();
     for (fs::recursive_directory_iterator at(root, error), end; !error && at != end; at.increment(error)) {
+        if (!platform::isText(at->path()))
+            return fail(ErrorCode::Unsupported, root.string(), platform::kNoText);
         if (!at->is_regular_file(error) || !isSql(at->path()))
             continue;
         if (out.size() == kMostFiles)

@@ -1,6 +1,7 @@
 #include "viewer/open/PathCompletion.h"
 
 #include "core/AbsolutePath.h"
+#include "core/platform/Files.h"
 
 #include <algorithm>
 #include <cctype>
@@ -52,6 +53,8 @@ PathCompletion completeDirectory(const std::string& typed, const std::string& ho
     const std::string directory = text.substr(0, slash + 1), begun = text.substr(slash + 1);
     std::error_code error;
     for (fs::directory_iterator it(directory, error), end; !error && it != end; it.increment(error)) {
+        if (!platform::isText(it->path()))
+            continue; // it cannot be typed
         const std::string name = it->path().filename().string();
         std::error_code ignored;
         if (name.starts_with(begun) && (name[0] != '.' || begun.starts_with('.')) &&
@@ -72,6 +75,8 @@ PathCompletion completeDirectory(const std::string& typed, const std::string& ho
 bool looksLikeWorld(const std::string& directory) {
     std::error_code error;
     for (fs::directory_iterator it(directory, error), end; !error && it != end; it.increment(error)) {
+        if (!platform::isText(it->path()))
+            continue;
         std::string name = it->path().filename().string();
         std::transform(name.begin(), name.end(), name.begin(),
                        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

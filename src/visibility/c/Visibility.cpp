@@ -5,6 +5,7 @@
 #include "visibility/Pairing.h"
 #include "visibility/RegionPixels.h"
 #include "visibility/RegionPlanes.h"
+#include "visibility/ZoneCheck.h"
 
 #include <algorithm>
 #include <cstring>
@@ -191,6 +192,22 @@ limen_status limen_graph_create(const limen_space* spaces, size_t space_count, c
 
 void limen_graph_destroy(limen_graph* graph) {
     delete graph;
+}
+
+limen_status limen_graph_check_zones(const limen_graph* graph, const limen_wall* walls, size_t wall_count,
+                                     const limen_vec3* vertices, size_t vertex_count, limen_error* error) {
+    return guarded(error, [&] {
+        if (graph == nullptr)
+            return refuse("graph is null", error);
+        if ((walls == nullptr && wall_count > 0) || (vertices == nullptr && vertex_count > 0))
+            return refuse("an array is null and has elements", error);
+        std::vector<vis::WallDesc> descs;
+        descs.reserve(wall_count);
+        for (std::size_t i = 0; i < wall_count; ++i)
+            descs.push_back({walls[i].space, walls[i].first_vertex, walls[i].vertex_count});
+        const auto checked = vis::checkZones(graph->graph, descs, in(vertices, vertex_count));
+        return checked ? static_cast<limen_status>(LIMEN_OK) : refuse(checked.error().message(), error);
+    });
 }
 
 limen_status limen_pair_portals(limen_portal* portals, size_t portal_count, const limen_vec3* vertices,

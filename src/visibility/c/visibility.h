@@ -58,8 +58,9 @@ typedef struct limen_vec3 {
     double x, y, z;
 } limen_vec3;
 
-/* A space: a run of portals, and its zone. Give each space a zone of its own, unless all spaces of the zone are connected,
-   closed and disjoint, without a wall right behind an opening that leads out of it. */
+/* A space: a run of portals, and its zone. Give each space a zone of its own, unless all spaces of the zone are closed,
+   disjoint, connected by exact pairs of portals, and none has a wall or a portal right behind an opening that leads out of
+   the zone from another space. limen_graph_check_zones finds such faults. */
 typedef struct limen_space {
     uint32_t first_portal, portal_count;
     uint32_t zone;
@@ -83,6 +84,18 @@ LIMEN_C_API limen_status limen_graph_create(const limen_space* spaces, size_t sp
                                             limen_graph** graph, limen_error* error);
 /* Null is allowed. */
 LIMEN_C_API void limen_graph_destroy(limen_graph* graph);
+
+/* A wall of `space`: a flat run of corners; may be non-convex; in either winding. */
+typedef struct limen_wall {
+    uint32_t space;
+    uint32_t first_vertex, vertex_count;
+} limen_wall;
+
+/* Checks the zones of several spaces, as far as portals and walls show their faults: LIMEN_BAD_ARGUMENT, naming the portal and the
+   spaces of the first one. Without walls, portals alone are compared. Not checked: that the spaces are closed and disjoint. */
+LIMEN_C_API limen_status limen_graph_check_zones(const limen_graph* graph, const limen_wall* walls,
+                                                 size_t wall_count, const limen_vec3* vertices,
+                                                 size_t vertex_count, limen_error* error);
 
 /* Finds the reciprocal of each portal that has none, and sets `reciprocal` and `is_exact` of both. `tolerance`: metres
    between equal corners, e.g. 0.01. `single` receives the number of portals that stay one-way; may be null. */

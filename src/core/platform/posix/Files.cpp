@@ -30,6 +30,10 @@ bool cutFile(int file, std::int64_t length) {
     return ::ftruncate(file, length) == 0 && ::lseek(file, length, SEEK_SET) == length;
 }
 
+bool isText(const fs::path& /*path*/) {
+    return true;
+}
+
 bool isWritable(const fs::path& path) {
     return ::access(path.c_str(), W_OK) == 0;
 }

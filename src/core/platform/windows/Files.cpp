@@ -71,6 +71,10 @@ bool cutFile(int file, std::int64_t length) {
     return _chsize_s(file, length) == 0 && _lseeki64(file, length, SEEK_SET) == length;
 }
 
+bool isText(const fs::path& path) {
+    return isWellFormed(path.native());
+}
+
 bool isWritable(const fs::path& path) {
     return _waccess(path.c_str(), 2) == 0;
 }

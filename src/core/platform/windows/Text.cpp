@@ -22,6 +22,19 @@ std::string narrowText(std::wstring_view text) {
     return narrow;
 }
 
+bool isWellFormed(std::wstring_view text) {
+    const auto isFirst = [](wchar_t unit) { return unit >= 0xD800 && unit <= 0xDBFF; };
+    const auto isSecond = [](wchar_t unit) { return unit >= 0xDC00 && unit <= 0xDFFF; };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (!isFirst(text[i]) && !isSecond(text[i]))
+            continue;
+        if (isSecond(text[i]) || i + 1 == text.size() || !isSecond(text[i + 1]))
+            return false;
+        ++i;
+    }
+    return true;
+}
+
 std::string errorText(unsigned long error) {
     wchar_t buffer[512] = L"";
     const DWORD length = FormatMessageW(FORMAT_MESSAGE_FROM_SYSTEM | FORMAT_MESSAGE_IGNORE_INSERTS, nullptr,

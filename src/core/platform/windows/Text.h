@@ -10,6 +10,9 @@ namespace limen::platform {
 [[nodiscard]] std::wstring wideText(std::string_view text);
 [[nodiscard]] std::string narrowText(std::wstring_view text);
 
+/// True if each half of a surrogate pair has its other half.
+[[nodiscard]] bool isWellFormed(std::wstring_view text);
+
 /// The text of a Win32 error, without its line end.
 [[nodiscard]] std::string errorText(unsigned long error);
 
