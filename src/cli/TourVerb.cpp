@@ -94,7 +94,7 @@ Result<TourFrames> checkPathFrames(const TourOptions& options, const engine::Wor
     return frames;
 }
 
-Result<TourFrames> checkTurnTable(const TourOptions& options, const world::WorldFile& file) {
+Result<TourFrames> checkTurnTable(const TourOptions& options, const engine::WorldSource& source) {
     PathArguments arguments = options.path;
     const Result<play::PathRequest> path = checkPath(arguments, kTurnTableFrames);
     if (!path)
@@ -116,7 +116,7 @@ Result<TourFrames> checkTurnTable(const TourOptions& options, const world::World
     } else {
         request.centre.isAtStart = true;
     }
-    Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(request.centre), file);
+    Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(request.centre), source);
     if (!resolved)
         return Failure(resolved.error());
     request.centre = std::move(*resolved);
@@ -191,7 +191,7 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
         return Failure(source.error());
-    Result<TourFrames> request = options.turnTable ? checkTurnTable(options, source->file)
+    Result<TourFrames> request = options.turnTable ? checkTurnTable(options, *source)
                                                    : checkPathFrames(options, *source, console);
     if (!request)
         return Failure(request.error());

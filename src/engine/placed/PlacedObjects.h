@@ -5,6 +5,7 @@
 #include "world/Loader.h"
 #include "world/Places.h"
 
+#include <functional>
 #include <map>
 #include <mutex>
 
@@ -45,8 +46,10 @@ public:
     [[nodiscard]] Result<std::vector<FoundObject>> search(const std::string& name, const Vec3& from,
                                                           std::size_t limit) const;
 
-    /// The position of every placed object of a type, visible or not, global. Errors: a damaged database.
-    [[nodiscard]] Result<std::vector<Vec3>> positionsOf(placements::TemplateType type) const;
+    /// The position of every placed object of a type, visible or not, global, in any order. `proceed` is called for each; false
+    /// ends the reading. Errors: a damaged database.
+    [[nodiscard]] Result<std::vector<Vec3>> positionsOf(placements::TemplateType type,
+                                                        const std::function<bool()>& proceed = {}) const;
 
     [[nodiscard]] const placements::WorldDb& database() const { return database_; }
 
