@@ -45,7 +45,7 @@ struct PosedPart {
     std::uint32_t part = 0; ///< index in the Setup, and so in each frame
     Vec3 scale{1.0};
     bool isHeld = false; ///< a part of a thing that the Setup's part holds, at `grip` in its frame
-    PartFrame grip;
+    PartFrame grip{};
     friend bool operator==(const PosedPart&, const PosedPart&) = default;
 };
 

@@ -2,6 +2,7 @@
 repositories that the test makes from rows of the built-in world. Arguments: the program, a cache directory, the source tree."""
 
 import json
+import math
 import os
 import pathlib
 import re
@@ -65,8 +66,6 @@ class TownWithPeopleTest(unittest.TestCase):
         self.run_here("limen", "demo", "DIR")
         self.run_here("limen", "world", "export", "--dat", "DIR/world.json", "--as", "sql", "-o", str(self.work / "rows"))
         (self.here / "DIR" / "world.json").unlink()
-        listed = self.run_here("limen", "world", "export", "--help").stdout
-        self.assertIn("--as", listed)
         self.publish("ACE-World-16PY", lambda to: shutil.copytree(self.work / "rows", to / "Database"))
 
         def patch(to):
@@ -102,16 +101,22 @@ class TownWithPeopleTest(unittest.TestCase):
         self.assertEqual(view.returncode, 128 + signal.SIGTERM, errors)
         self.assertIn("placed objects", errors)
         with sqlite3.connect(self.here / "DIR" / "world.db") as database:
-            types = dict(database.execute("SELECT t.type, COUNT(*) FROM placement p JOIN template t ON t.id = p.template GROUP BY 1"))
+            joined = "FROM placement p JOIN template t ON t.id = p.template"
+            types = dict(database.execute(f"SELECT t.type, COUNT(*) {joined} GROUP BY 1"))
+            people = list(database.execute(f"SELECT p.landblock, p.x, p.y {joined} WHERE t.name = 'Holtburg'"))
         self.assertGreater(types.get(19, 0), 5, "doors")
         self.assertGreater(types.get(10, 0), 2, "people")
 
-        # The same once more: nothing to import; the eye stands before the person of that name, and the doors are hung.
+        self.assertEqual(len(people), 1, "the patch replaced a template of the core")
+
+        # The same once more: nothing to import, and the eye is before the person of that name.
         again = self.run_here("bash", "-c", f"{lines[2]} --frames 3 --size 320x180 --json --screenshot town.png")
         self.assertIn("is up to date", again.stderr)
         state = json.loads(again.stdout)
+        landblock, x, y = people[0]
+        person = 192 * (landblock >> 8) + x, 192 * (landblock & 255) + y
+        self.assertLess(math.dist(state["eye"][:2], person), 3.1, f"{state['eye']} {person}")
         self.assertTrue((self.here / "town.png").stat().st_size > 0)
-        self.assertIn("eye", state)
         picture = os.environ.get("LIMEN_KEEP_PICTURE")
         if picture:
             shutil.copy(self.here / "town.png", picture)
