@@ -191,8 +191,8 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
         return Failure(source.error());
-    Result<TourFrames> request = options.turnTable ? checkTurnTable(options, *source)
-                                                   : checkPathFrames(options, *source, console);
+    Result<TourFrames> request =
+        options.turnTable ? checkTurnTable(options, *source) : checkPathFrames(options, *source, console);
     if (!request)
         return Failure(request.error());
     Result<engine::HeadlessSession> headless = engine::openHeadless(

@@ -38,8 +38,7 @@ TEST(Picked, namesAPlacedObject_itsTemplate_andItsCell) {
     other.name = "Other";
     world.placed = {other, gate};
     const IdTable table(world);
-    const std::vector<std::string> lines =
-        pickedLines(pickedPixel(world, table, {}, twoVisits(), 5, 1, 2.5));
+    const std::vector<std::string> lines = pickedLines(pickedPixel(world, table, {}, twoVisits(), 5, 1, 2.5));
     ASSERT_GE(lines.size(), 3u);
     EXPECT_EQ(lines[0], "Old Gate 7C000001, template 412");
     EXPECT_EQ(lines[2], "object 0000000000001122, placed in 0xA9B40105");

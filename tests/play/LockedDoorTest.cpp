@@ -17,8 +17,9 @@ public:
     explicit ChestOnTheLane(bool isLocked) {
         EXPECT_TRUE(worlds::writeBuiltInWorld(directory_.path()));
         const Result<world::WorldFile> file = world::loadWorldFile(directory_.path());
-        const world::Place lane = *std::find_if(file->places.begin(), file->places.end(),
-                                                [](const world::Place& place) { return place.name == "lane"; });
+        const world::Place lane =
+            *std::find_if(file->places.begin(), file->places.end(),
+                          [](const world::Place& place) { return place.name == "lane"; });
         writeChest(*file, lane.eye + Vec3(1.5, 0.1, -engine::kEyeHeight), isLocked);
         Result<engine::WorldSource> source = engine::openWorldSource(directory_.path().string());
         session_.emplace(std::make_shared<const engine::WorldSource>(std::move(*source)),
