@@ -147,7 +147,8 @@ TEST(FullSizeWorld, isImportedWithinTwoMinutes) {
     const double beforeDoors = processorSeconds();
     EXPECT_TRUE(file->eachOfType(19, [&](const placements::Spot&) { return ++doors > 0; }));
     const double all = processorSeconds() - beforeDoors;
-    fmt::print("search of one name {:.0f} ms, places of all {} doors {:.0f} ms\n", rare * 1e3, doors, all * 1e3);
+    fmt::print("search of one name {:.0f} ms, places of all {} doors {:.0f} ms\n", rare * 1e3, doors,
+               all * 1e3);
     EXPECT_GT(doors, kObjects / 4);
     EXPECT_LT(rare, 0.25) << "a search for each letter that is typed";
     EXPECT_LT(all, 0.5) << "once for each world whose map is opened, on a thread of its own";
