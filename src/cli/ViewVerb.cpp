@@ -328,7 +328,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
             "(limen/keys.json in the user's configuration directory)")
         ->type_name("FILE")
         ->group("View");
-    verb->footer(keysFooter() + "Examples:\n  limen view\n  limen view --at inn.hall --fly\n"
+    verb->footer(keysFooter() + "Examples:\n  limen view --at inn.hall --fly\n"
                                 "  limen view --dat DIR --at Holtburg --import core patches");
     verb->callback([&console, &choice, options, verb] {
         for (const char* name : {"--quality", "--radius", "--far", "--detail", "--msaa"})
