@@ -116,10 +116,20 @@ Result<TourFrames> checkTurnTable(const TourOptions& options, const engine::Worl
     } else {
         request.centre.isAtStart = true;
     }
-    Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(request.centre), source);
+    const bool isObject = source.placed != nullptr && !request.centre.place.empty() &&
+                          !engine::resolvePlace(request.centre, source.file);
+    Result<engine::ViewRequest> resolved = engine::resolvePlace(request.centre, source);
     if (!resolved)
         return Failure(resolved.error());
     request.centre = std::move(*resolved);
+    if (isObject) {                     // resolvePlace() gives a viewpoint before it
+        constexpr double kMiddle = 1.0; // metres above the origin of a person, a door or a chest
+        const Result<std::optional<Vec3>> position = source.placed->positionOf(options.at);
+        if (!position)
+            return Failure(position.error());
+        if (*position)
+            request.centre.eye = **position + Vec3(0.0, 0.0, kMiddle);
+    }
     request.centre.fov = path->fov;
     request.centre.size = path->size;
     request.centre.scene.time = path->time;

@@ -283,6 +283,14 @@ TEST_F(PlacedSearch, yieldsAViewOfAnObjectByItsGuid) {
     EXPECT_EQ(*placed().viewOf(std::uint32_t{1}), std::nullopt);
 }
 
+TEST_F(PlacedSearch, yieldsThePositionOfANamedObject) {
+    const Vec3 first(0xA9 * 192.0 + 10.0, 0xB4 * 192.0 + 20.0, 30.0);
+    EXPECT_EQ(*placed().positionOf("smith"), first) << "the least guid";
+    EXPECT_EQ((*placed().positionOf("Smith 70000001"))->x, 0xA9 * 192.0 + 100.0);
+    EXPECT_EQ(*placed().positionOf("hidden blacksmith"), std::nullopt);
+    EXPECT_EQ(*placed().positionOf("nobody"), std::nullopt);
+}
+
 TEST_F(PlacedSearch, yieldsThePositionsOfAType) {
     const Result<std::vector<Vec3>> portals = placed().positionsOf(placements::TemplateType::Portal);
     ASSERT_TRUE(portals);

@@ -259,7 +259,7 @@ Result<std::vector<Vec3>> PlacedObjects::positionsOf(placements::TemplateType ty
         .map([&] { return std::move(positions); });
 }
 
-Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& name) const {
+Result<std::vector<placements::Placement>> PlacedObjects::named(const std::string& name) const {
     constexpr std::size_t kMostFound = 1000;
     Result<std::vector<placements::Found>> found =
         database_.search(nameWithoutGuid(name), std::nullopt, kMostFound);
@@ -275,12 +275,33 @@ Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& nam
                      [&](const placements::Found& a, const placements::Found& b) {
                          return std::tuple(rank(a), a.placement.guid) < std::tuple(rank(b), b.placement.guid);
                      });
-    const std::lock_guard guard(lock_);
+    std::vector<placements::Placement> placements;
     for (const placements::Found& one : *found)
         if (rank(one) < 2 || nameWithoutGuid(name) == name)
-            if (std::optional<world::Place> view = viewOfPlacement(one.placement))
-                return view;
+            placements.push_back(one.placement);
+    return placements;
+}
+
+Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& name) const {
+    const Result<std::vector<placements::Placement>> candidates = named(name);
+    if (!candidates)
+        return Failure(candidates.error());
+    const std::lock_guard guard(lock_);
+    for (const placements::Placement& placement : *candidates)
+        if (std::optional<world::Place> view = viewOfPlacement(placement))
+            return view;
     return fault_.map([] { return std::optional<world::Place>(); });
+}
+
+Result<std::optional<Vec3>> PlacedObjects::positionOf(const std::string& name) const {
+    const Result<std::vector<placements::Placement>> candidates = named(name);
+    if (!candidates)
+        return Failure(candidates.error());
+    const std::lock_guard guard(lock_);
+    for (const placements::Placement& placement : *candidates)
+        if (viewOfPlacement(placement))
+            return std::optional(globalOf(placement.spot));
+    return fault_.map([] { return std::optional<Vec3>(); });
 }
 
 Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::PlacedEntry>& out) const {
