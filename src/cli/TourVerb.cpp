@@ -129,6 +129,9 @@ Result<TourFrames> checkTurnTable(const TourOptions& options, const engine::Worl
             return Failure(position.error());
         if (*position)
             request.centre.eye = **position + Vec3(0.0, 0.0, kMiddle);
+        // A camera at the centre would be within the object, so a circle is drawn even where a wall is near.
+        constexpr double kAround = 2.0; // metres
+        request.distance = request.distance.value_or(kAround);
     }
     request.centre.fov = path->fov;
     request.centre.size = path->size;
@@ -250,7 +253,7 @@ void addTurnTableOptions(CLI::App& verb, TourOptions& options) {
         ->group("Turn-table");
     verb.add_option("--distance", options.distance,
                     "set the distance of the camera in metres; 0: turn at the place (the largest free circle "
-                    "up to 24)")
+                    "up to 24; 2 around an object of world.db)")
         ->type_name("M")
         ->group("Turn-table");
 }
