@@ -88,6 +88,12 @@ private:
         return low + (high - low) * static_cast<double>(random_() >> 8) / static_cast<double>(1u << 24);
     }
 
+    /// Two thirds of the templates share 30 models. In a real landblock 46 of 70 templates shared 4 Setups, and all had 25.
+    [[nodiscard]] dat::RecordId anyModel() {
+        constexpr std::size_t kCommon = 30;
+        return models_[below(below(3) < 2 ? std::min(kCommon, models_.size()) : models_.size())];
+    }
+
     /// Templates in the shares of the published ones: every kind has its own range of numbers.
     void addTemplates() {
         const std::uint32_t each = counts_.templates / 5;
@@ -101,7 +107,7 @@ private:
             constexpr std::array kTypes{TemplateType::Generic, TemplateType::Door, TemplateType::Creature,
                                         TemplateType::Portal, TemplateType::Chest};
             of.type = static_cast<std::int32_t>(kTypes[kind]);
-            of.setup = kind == 1 ? door_->id : models_[below(models_.size())];
+            of.setup = kind == 1 ? door_->id : anyModel();
             if (kind == 0)
                 of.visibility = true; // a generator
             if (kind == 2)

@@ -244,18 +244,21 @@ std::vector<BenchRow> benchPlaced(AllocationCounter) {
             .and_then([&] { return writeFullWorld(directory.path()); });
     });
     std::vector<BenchRow> rows;
-    Result<engine::WorldSource> source =
-        written ? engine::openWorldSource(directory.path().string()) : Failure(written.error());
-    if (!source) {
-        addRows("placed objects", Failure(source.error()), rows);
-        return rows;
-    }
-    Land land(*source);
-    land.keepPart(source->file.places);
-    addRows("365,183 placed objects, null device",
-            fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land,
-                *std::make_unique<gpu::NullDevice>()),
-            rows);
+    const auto measure = [&](const std::string& scene, gpu::Device& device) {
+        Result<engine::WorldSource> source =
+            written ? engine::openWorldSource(directory.path().string()) : Failure(written.error());
+        if (!source) {
+            addRows(scene, Failure(source.error()), rows);
+            return;
+        }
+        Land land(*source);
+        land.keepPart(source->file.places);
+        addRows(scene, fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
+                rows);
+    };
+    measure("365,183 placed objects, null device", *std::make_unique<gpu::NullDevice>());
+    if (const std::optional<HeadlessDriver> driver = openDriver())
+        measure("365,183 placed objects, " + driver->device->capabilities().renderer, *driver->device);
     return rows;
 }
 

@@ -310,6 +310,9 @@ Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::P
     if (!landblock)
         return Failure(landblock.error());
     const std::lock_guard guard(lock_);
+    constexpr std::size_t kMostTemplates = 4096; // some MiB; pointers to them are not kept between blocks
+    if (templates_.size() > kMostTemplates)
+        templates_.clear();
     const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
     for (const placements::Standing& standing : standingIn(*landblock, findTemplate))
         if (const Template* of = find(standing.templateId))
