@@ -45,12 +45,12 @@ Result<void> addCalls(DrawnPart& part, const world::Place& place, CallList& call
     return {};
 }
 
-Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& file) {
+Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& file, gpu::Drawing drawing) {
     std::vector<world::Place> places = file.tour;
     places.insert(places.end(), file.places.begin(), file.places.end());
     CallList calls;
     gpu::NullDevice device;
-    PartOfTour part(archive, file, device, kFrameWidth, kFrameHeight);
+    PartOfTour part(archive, file, device, kFrameWidth, kFrameHeight, {.drawing = drawing});
     for (const world::Place& place : places) {
         Result<void> added =
             part.at(place).and_then([&](DrawnPart* there) { return addCalls(*there, place, calls); });
@@ -60,15 +60,14 @@ Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& 
     return calls;
 }
 
-BenchRow tourRow() {
-    constexpr const char* kBench = "calls/tour";
+BenchRow tourRow(const char* bench, gpu::Drawing drawing) {
     BuiltInFiles files;
     if (Result<void> opened = files.open(); !opened)
-        return failedRow(kBench, opened.error().message(), "calls");
-    const Result<CallList> calls = tourCalls(*files.archive, files.world);
+        return failedRow(bench, opened.error().message(), "calls");
+    const Result<CallList> calls = tourCalls(*files.archive, files.world, drawing);
     if (!calls)
-        return failedRow(kBench, calls.error().message(), "calls");
-    return rowOf(kBench,
+        return failedRow(bench, calls.error().message(), "calls");
+    return rowOf(bench,
                  fmt::format("{} way points, {} places, {} frames", files.world.tour.size(),
                              files.world.places.size(), calls->frames().size()),
                  *calls);
@@ -102,7 +101,8 @@ BenchRow objectsRow() {
 } // namespace
 
 std::vector<BenchRow> benchCalls(AllocationCounter) {
-    return {tourRow(), objectsRow()};
+    return {tourRow("calls/tour", gpu::Drawing::Exact), tourRow("calls/tour/fast", gpu::Drawing::Fast),
+            objectsRow()};
 }
 
 } // namespace limen::bench

@@ -8,11 +8,11 @@ namespace limen::bench {
 /// A row has the largest number of its frames and the hash of all numbers. It fails if frames with equal
 /// stages and batches differ.
 ///
-/// `calls/tour`: all way points and named places of the built-in world, four headings each, with doors as
-/// loaded, closed and open. `calls/objects`: the field of 100,000 objects of `limen bench dispatch`, 16
+/// `calls/tour` and `calls/tour/fast`: all way points and named places of the built-in world, four headings
+/// each, with doors as loaded, closed and open, in both ways of drawing. `calls/objects`: the field of 100,000 objects of `limen bench dispatch`, 16
 /// headings, beside the classic path.
 ///
-/// Takes about a minute. Writes the built-in world to the system's temporary directory and removes it.
+/// Takes about two minutes. Writes the built-in world to the system's temporary directory and removes it.
 [[nodiscard]] std::vector<BenchRow> benchCalls(AllocationCounter counter = nullptr);
 
 } // namespace limen::bench

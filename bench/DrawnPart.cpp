@@ -104,7 +104,9 @@ Result<DrawnPart*> PartOfTour::at(const world::Place& place) {
     if (!part_ || !part_->holds(place)) {
         part_.reset(); // frees its memory before the next is loaded
         Result<std::unique_ptr<DrawnPart>> loaded =
-            DrawnPart::around(archive_, file_, place, device_, width_, height_);
+            loadAround(archive_, file_, place).and_then([&](std::shared_ptr<const engine::LoadedPart> there) {
+                return DrawnPart::of(std::move(there), device_, width_, height_, options_);
+            });
         if (!loaded)
             return Failure(loaded.error());
         part_ = std::move(*loaded);

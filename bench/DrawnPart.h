@@ -75,8 +75,9 @@ private:
 class PartOfTour {
 public:
     PartOfTour(const dat::Archive& archive, const world::WorldFile& file, gpu::Device& device,
-               std::uint32_t width, std::uint32_t height)
-        : archive_(archive), file_(file), device_(device), width_(width), height_(height) {}
+               std::uint32_t width, std::uint32_t height, gpu::RendererOptions options = {})
+        : archive_(archive), file_(file), device_(device), width_(width), height_(height),
+          options_(std::move(options)) {}
 
     /// Loads the blocks around a place unless its space is loaded already. Errors: as DrawnPart::around.
     [[nodiscard]] Result<DrawnPart*> at(const world::Place& place);
@@ -86,6 +87,7 @@ private:
     const world::WorldFile& file_;
     gpu::Device& device_;
     std::uint32_t width_, height_;
+    gpu::RendererOptions options_;
     std::unique_ptr<DrawnPart> part_;
 };
 

@@ -11,6 +11,7 @@ namespace limen::gpu {
 struct BatchSlots {
     std::uint32_t first = 0, second = 0, end = 0;
     bool lampsInFirst = false, lampsInSecond = false; ///< whether lamps light any of the part's draws
+    bool isJoined = false; ///< an earlier batch of the same program has this one's draws; it makes no calls
 };
 
 /// Whether a batch's draws are indexed, and drawn in a frame with these options: then they have slots.

@@ -2,6 +2,8 @@
 
 #include "core/Assert.h"
 
+#include <limits>
+
 namespace limen::gpu {
 
 namespace {
@@ -12,30 +14,52 @@ bool isOfSky(const layout::DrawPiece& piece) {
     return (piece.triangles & layout::kNeverCulled) != 0;
 }
 
+/// The other batch of opaque surfaces of a stage, walls or not, if both take the same gate; else kAlone.
+constexpr std::size_t kAlone = std::numeric_limits<std::size_t>::max();
+std::size_t partnerOf(const frame::FramePlan& plan, const frame::Stage& stage, std::size_t batch) {
+    const frame::Batch& of = plan.batches[batch];
+    // Other gates draw the spaces one after another.
+    if (of.program != frame::Program::Opaque || plan.gate != frame::Gate::Ownership)
+        return kAlone;
+    for (std::size_t i = stage.firstBatch; i < stage.firstBatch + stage.batchCount; ++i)
+        if (i != batch && plan.batches[i].program == of.program && plan.batches[i].gated == of.gated)
+            return i;
+    return kAlone;
+}
+
 } // namespace
 
 void FastDraws::prepare(const frame::FramePlan& plan, const RenderOptions& options,
                         const frame::RecordTables& tables) {
     own_.resize(plan.dynamicInstances.size() + plan.records.size());
     writeInstances(plan, own_);
-    slots_.clear();
+    slots_.assign(plan.batches.size(), {}); // a batch without a stage is not drawn
     draws_.clear();
     const frame::DrawRecords makes(tables, plan, own_);
-    for (const frame::Batch& batch : plan.batches) {
-        const auto first = static_cast<std::uint32_t>(draws_.size());
-        slots_.push_back({first, first, first});
-        if (hasSlots(batch, options))
-            addBatch(plan, batch, makes);
+    for (const frame::Stage& stage : plan.stages) {
+        for (std::size_t i = stage.firstBatch; i < stage.firstBatch + stage.batchCount; ++i) {
+            const std::size_t partner = partnerOf(plan, stage, i);
+            const auto first = static_cast<std::uint32_t>(draws_.size());
+            BatchSlots& slots = slots_[i] = {first, first, first};
+            slots.isJoined = partner < i;
+            if (slots.isJoined || !hasSlots(plan.batches[i], options))
+                continue;
+            second_.clear();
+            addRuns(plan, plan.batches[i], makes, slots);
+            if (partner != kAlone)
+                addRuns(plan, plan.batches[partner], makes, slots);
+            slots.second = static_cast<std::uint32_t>(draws_.size());
+            draws_.insert(draws_.end(), second_.begin(), second_.end());
+            slots.end = static_cast<std::uint32_t>(draws_.size());
+        }
     }
 }
 
-void FastDraws::addBatch(const frame::FramePlan& plan, const frame::Batch& batch,
-                         const frame::DrawRecords& makes) {
+void FastDraws::addRuns(const frame::FramePlan& plan, const frame::Batch& batch,
+                        const frame::DrawRecords& makes, BatchSlots& slots) {
     const bool fromOutside = plan.constants.rootZone == layout::kOutside;
     const bool takesLamps = batch.program != frame::Program::Terrain; // its corners are too far apart
     const bool isWhole = batch.program == frame::Program::Blended;    // back to front
-    BatchSlots& slots = slots_.back();
-    second_.clear();
     std::uint32_t last = 0xFFFFFFFFu; // pieces of one instance often follow each other
     bool isHere = false, hasLamps = false;
     for (const frame::PieceRun& run : std::span(plan.runs).subspan(batch.first, batch.count)) {
@@ -58,13 +82,10 @@ void FastDraws::addBatch(const frame::FramePlan& plan, const frame::Batch& batch
             lamps = lamps || hasLamps;
         }
     }
-    slots.second = static_cast<std::uint32_t>(draws_.size());
-    draws_.insert(draws_.end(), second_.begin(), second_.end());
-    slots.end = static_cast<std::uint32_t>(draws_.size());
 }
 
 void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& tables, const FrameRing& ring,
-                      std::span<std::byte> memory) {
+                      std::span<std::byte> memory, std::uint32_t firstRecord) {
     const std::span<layout::DrawCommand> commands = ring.commands(memory);
     const std::span<layout::DrawRecord> records = ring.records(memory);
     LIMEN_ASSERT(commands.size() == draws_.size() && records.size() == draws_.size(),
@@ -77,7 +98,7 @@ void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& t
         const bool ofSky = isOfSky(piece);
         // The record is an instanced attribute, found by the base instance. Sky objects have none.
         commands[slot] = {3 * (piece.triangles & ~layout::kNeverCulled), 1, piece.firstIndex, 0,
-                          ofSky ? piece.instance : slot};
+                          ofSky ? piece.instance : firstRecord + slot};
         if (ofSky)
             continue;
         if (piece.instance != last) {

@@ -9,18 +9,20 @@ namespace limen::gpu {
 /// Writes a plan's draw commands and draw records on the CPU, for Drawing::Fast. A batch of a frame with
 /// several visits has two parts: the second takes the ownership test. Seen from outside, draws that lamps light
 /// are in the second part, too, so that the programs of the first part, which draws trees, have no lamps.
+/// The plan has two batches of opaque surfaces, walls and others, with the ground between them. They are drawn as one,
+/// which saves four calls; the exact way needs the walls first, to leave out what they hide.
 /// Reuse it: steady frames allocate nothing.
 class FastDraws {
 public:
     /// Assigns slots to the plan's indexed draws. `tables`: of the scene that the plan was made for.
     void prepare(const frame::FramePlan& plan, const RenderOptions& options,
                  const frame::RecordTables& tables);
-    [[nodiscard]] std::uint32_t slotCount() const { return slots_.empty() ? 0 : slots_.back().end; }
+    [[nodiscard]] std::uint32_t slotCount() const { return static_cast<std::uint32_t>(draws_.size()); }
     [[nodiscard]] const BatchSlots& slotsOf(std::size_t batch) const { return slots_[batch]; }
-    /// Writes the commands and records of all slots, and the lamps, into the frame's ring memory. Arguments as
-    /// in `prepare`.
+    /// Writes the commands and records of all slots into the frame's ring memory. Arguments as in `prepare`.
+    /// `firstRecord`: the base instance of the ring's first record.
     void write(const frame::FramePlan& plan, const frame::RecordTables& tables, const FrameRing& ring,
-               std::span<std::byte> memory);
+               std::span<std::byte> memory, std::uint32_t firstRecord);
 
 private:
     /// One draw: a piece of a run.
@@ -28,7 +30,8 @@ private:
         std::uint32_t piece = 0;
         bool gated = false;
     };
-    void addBatch(const frame::FramePlan& plan, const frame::Batch& batch, const frame::DrawRecords& makes);
+    void addRuns(const frame::FramePlan& plan, const frame::Batch& batch, const frame::DrawRecords& makes,
+                 BatchSlots& slots);
 
     std::vector<BatchSlots> slots_;
     std::vector<Draw> draws_;               ///< by slot

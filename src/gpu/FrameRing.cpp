@@ -1,11 +1,15 @@
 #include "gpu/FrameRing.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace limen::gpu {
 
 namespace layout = frame::gpu;
+
+static_assert(std::has_single_bit(sizeof(layout::DrawRecord)),
+              "a multiple of the larger of two alignments is one of both");
 
 void writeInstances(const frame::FramePlan& plan, std::span<layout::Instance> out) {
     const std::size_t dynamic = plan.dynamicInstances.size();
@@ -20,7 +24,9 @@ FrameRing::FrameRing(const frame::FramePlan& plan, std::size_t slots, std::size_
     : plan_(plan), slots_(slots), use_(use) {
     for (std::size_t i = 0; i < kArrays; ++i) {
         const std::size_t size = sizeOf(static_cast<Array>(i));
-        const std::size_t offset = (size_ + alignment - 1) / alignment * alignment;
+        // Records are found by their number in the ring (Device::baseInstanceAt).
+        const std::size_t step = i == kRecords ? std::max(alignment, sizeof(layout::DrawRecord)) : alignment;
+        const std::size_t offset = (size_ + step - 1) / step * step;
         places_[i] = {BufferHandle::Invalid, offset, std::max(size, kSmallestRange)};
         size_ = offset + places_[i].size;
     }

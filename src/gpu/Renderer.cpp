@@ -280,7 +280,7 @@ void Renderer::writeRing(const frame::FramePlan& plan, const FrameRing& ring, co
     constants.flags |= splitsSurfaces(options) ? layout::kFrameSplits : 0;
     ring.write(constants, memory);
     if (isFast())
-        fast_->write(plan, scene_->tables(), ring, memory);
+        fast_->write(plan, scene_->tables(), ring, memory, device_->baseInstanceAt(ring.records()));
     else
         culling_->writeRuns(plan, options, ring.slotGroups(memory), ring.runs(memory));
 }
@@ -294,8 +294,6 @@ void Renderer::bindAll(const FrameRing& ring, bool withDrawn) {
         culling_->bind(storage);
     device_->bindStorage(storage);
     device_->bindTextures(scene_->boundTextures(), withDrawn);
-    if (isFast())
-        device_->bindRecords(ring.records());
 }
 
 void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
@@ -346,15 +344,18 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commands, co
             const frame::Batch& batch = plan.batches[stage.firstBatch + i];
             if (!isFast() && stage.firstBatch + i == plan.firstOccludee && culling_->usesOcclusion())
                 culling_->cullOccluded();
+            const BatchSlots& slots = slotsOf(stage.firstBatch + i);
             if (!isDrawn(batch.program, frame.options))
+                continue;
+            report.draws += batch.draws;
+            if (slots.isJoined)
                 continue;
             if (const Pass pass = passOf(batch.program, frame.options); pass != current) {
                 device_->beginPass(pass);
                 current = pass;
             }
-            drawBatch(batch, slotsOf(stage.firstBatch + i), commands, frame);
+            drawBatch(batch, slots, commands, frame);
             ++report.batches;
-            report.draws += batch.draws;
         }
         if (timesStages_)
             device_->endStage(stage.kind);

@@ -35,17 +35,24 @@ TEST(SteadyFrame, allocatesNothing) {
     EXPECT_EQ(allocations(), before);
 }
 
-TEST(SteadyFrame, allocatesNothingFromTheMomentToTheDriver) {
+class SteadyFrameOf : public testing::TestWithParam<gpu::Drawing> {};
+
+TEST_P(SteadyFrameOf, allocatesNothingFromTheMomentToTheDriver_andMakesFewCalls) {
+    constexpr std::uint32_t kMostCalls = 40; // of GL, a frame with ids or without
     Tour tour(1);
     gpu::NullDevice device;
-    SteadyWalk walk(std::move(*tour.world), device, 640, 360);
+    SteadyWalk walk(std::move(*tour.world), device, 640, 360, {.drawing = GetParam()});
     walk.go(tour.way);
     const std::size_t before = allocations();
     walk.go(tour.way);
     EXPECT_EQ(allocations(), before);
     EXPECT_GT(walk.frames(), 400u) << "the path has the same length";
     EXPECT_GT(walk.inside(), 100u);
+    EXPECT_LE(walk.mostCalls(), kMostCalls);
+    EXPECT_GT(walk.mostCalls(), 20u);
 }
+
+INSTANTIATE_TEST_SUITE_P(BothWays, SteadyFrameOf, testing::Values(gpu::Drawing::Exact, gpu::Drawing::Fast));
 
 } // namespace
 } // namespace limen::test

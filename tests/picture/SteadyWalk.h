@@ -9,6 +9,7 @@
 #include "world/Places.h"
 #include "worlds/Demo.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -39,8 +40,9 @@ struct Tour {
 class SteadyWalk {
 public:
     /// Pictures of `width` × `height` pixels.
-    SteadyWalk(world::World world, gpu::Device& device, std::uint32_t width, std::uint32_t height)
-        : pipeline_(device), target_(*gpu::RenderTarget::create(device, width, height)) {
+    SteadyWalk(world::World world, gpu::Device& device, std::uint32_t width, std::uint32_t height,
+               const gpu::RendererOptions& options = {})
+        : pipeline_(device, options), target_(*gpu::RenderTarget::create(device, width, height)) {
         EXPECT_TRUE(pipeline_.show(std::make_unique<engine::PartPlanner>(*engine::partOf(std::move(world)))));
     }
 
@@ -63,6 +65,9 @@ public:
     /// Those of them from within cells.
     [[nodiscard]] std::size_t inside() const { return inside_; }
 
+    /// GL calls of a frame.
+    [[nodiscard]] std::uint32_t mostCalls() const { return mostCalls_; }
+
 private:
     void draw(const frame::FrameView& view, double seconds) {
         motion::DynamicStateInput input;
@@ -76,13 +81,16 @@ private:
         pipeline_.updateDynamics(input);
         EXPECT_TRUE(pipeline_.flood(view.view));
         pipeline_.plan(view);
-        for (const bool ids : {false, true})
+        for (const bool ids : {false, true}) {
             EXPECT_TRUE(pipeline_.render(target_, {.wantIds = ids}));
+            mostCalls_ = std::max(mostCalls_, pipeline_.renderer().report().glCalls);
+        }
     }
 
     engine::Pipeline pipeline_;
     gpu::RenderTarget target_;
     std::size_t frames_ = 0, inside_ = 0;
+    std::uint32_t mostCalls_ = 0;
 };
 
 } // namespace limen::test

@@ -201,9 +201,9 @@ public:
     /// kUnitVertices on. `withDrawn`: the target's colour and id images take the place of the textures at
     /// kUnitColour and kUnitId. Requires a target that is not multisampled.
     virtual void bindTextures(std::span<const TextureHandle> textures, bool withDrawn) = 0;
-    /// Makes frame::gpu::DrawRecord at `offset` of the ring memory an input of this frame's vertices, by the
-    /// base instance of their draw command.
-    virtual void bindRecords(std::size_t offset) = 0;
+    /// The base instance of a draw command whose vertices read the frame::gpu::DrawRecord at `offset` of this
+    /// frame's ring memory, a multiple of the record's size. Those of the next records follow.
+    [[nodiscard]] virtual std::uint32_t baseInstanceAt(std::size_t offset) const = 0;
     /// Later draws of the frame may read the target's bound images, but no pixel that they write themselves.
     virtual void readDrawn() = 0;
     /// Runs a compute program in a grid of work groups. It may read all images drawn so far. Later draws see

@@ -71,7 +71,9 @@ public:
     void bindTextures(std::span<const TextureHandle> textures, bool withDrawn) override {
         device_.bindTextures(textures, withDrawn);
     }
-    void bindRecords(std::size_t offset) override { device_.bindRecords(offset); }
+    [[nodiscard]] std::uint32_t baseInstanceAt(std::size_t offset) const override {
+        return device_.baseInstanceAt(offset);
+    }
     void readDrawn() override { device_.readDrawn(); }
     void compute(ProgramHandle program, const WorkGroups& groups) override {
         device_.compute(program, groups);

@@ -95,7 +95,8 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     if (bytes <= ringSlotSize_)
         return {};
     constexpr std::size_t kSmallestSlot = std::size_t{1} << 18;
-    const std::size_t alignment = capabilities_.storageAlignment;
+    const std::size_t alignment =
+        std::max<std::size_t>(capabilities_.storageAlignment, sizeof(frame::gpu::DrawRecord));
     const std::size_t wanted = std::max(bytes + bytes / 2, kSmallestSlot);
     const std::size_t slotSize = (wanted + alignment - 1) / alignment * alignment;
     if (slotSize / kBytesPerTexel > capabilities_.maxBufferTexels) {
@@ -118,6 +119,8 @@ Result<void> GlDevice::reserveRing(std::size_t bytes) {
     for (std::size_t slot = 0; slot < kFramesInFlight; ++slot)
         ringTexels_[slot] = Texture::createBufferView("frame ring", ring_.id(), slot * slotSize, slotSize);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, ring_.id());
+    glVertexArrayVertexBuffer(vertexArray_.id(), kRecordSlot, ring_.id(), 0,
+                              static_cast<GLsizei>(sizeof(frame::gpu::DrawRecord)));
     return {};
 }
 
@@ -179,12 +182,10 @@ void GlDevice::readDrawn() {
     call(glTextureBarrier);
 }
 
-void GlDevice::bindRecords(std::size_t offset) {
-    call(glVertexArrayVertexBuffer, recordedArray_.id(), kRecordSlot, ring_.id(),
-         static_cast<GLintptr>(ringSlot_ * ringSlotSize_ + offset),
-         static_cast<GLsizei>(sizeof(frame::gpu::DrawRecord)));
-    call(glBindVertexArray, recordedArray_.id());
-    bindsRecorded_ = true;
+std::uint32_t GlDevice::baseInstanceAt(std::size_t offset) const {
+    const std::size_t place = ringSlot_ * ringSlotSize_ + offset;
+    LIMEN_ASSERT(place % sizeof(frame::gpu::DrawRecord) == 0, "records begin at a multiple of their size");
+    return static_cast<std::uint32_t>(place / sizeof(frame::gpu::DrawRecord));
 }
 
 void GlDevice::compute(ProgramHandle program, const WorkGroups& groups) {
@@ -267,8 +268,6 @@ Result<void> GlDevice::endFrame() {
     LIMEN_ASSERT(frameTarget_ != nullptr, "a frame was begun");
     // Restores the state that every frame starts with, so that all frames make the same calls.
     make(state_.reset(), {});
-    if (std::exchange(bindsRecorded_, false))
-        call(glBindVertexArray, vertexArray_.id());
     fences_[ringSlot_] = call(glFenceSync, GLenum{GL_SYNC_GPU_COMMANDS_COMPLETE}, GLbitfield{0});
     frameTarget_ = nullptr;
     lastFrameCalls_ = frameCalls_;

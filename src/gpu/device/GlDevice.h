@@ -52,7 +52,7 @@ public:
     void bindStorage(std::span<const StorageRange> ranges) override;
     void bindTextures(std::span<const TextureHandle> textures, bool withDrawn) override;
     void readDrawn() override;
-    void bindRecords(std::size_t offset) override;
+    [[nodiscard]] std::uint32_t baseInstanceAt(std::size_t offset) const override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
     void beginStage(frame::StageKind stage) override { timers_.begin(stage); }
@@ -131,9 +131,7 @@ private:
     std::vector<Texture> textures_;
     std::vector<Program> programs_;
     std::vector<std::unique_ptr<Target>> targets_;
-    VertexArray vertexArray_;
-    VertexArray recordedArray_; ///< the same vertices, and draw records
-    bool bindsRecorded_ = false;
+    VertexArray vertexArray_; ///< the arena, and draw records in the ring
     /// the current arena
     std::array<BufferHandle, 2> geometry_{BufferHandle::Invalid, BufferHandle::Invalid};
     StateTracker state_;

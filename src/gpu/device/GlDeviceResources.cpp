@@ -111,11 +111,9 @@ void GlDevice::describeRecords(GLuint vertexArray) {
 
 GlDevice::GlDevice(Capabilities capabilities)
     : capabilities_(std::move(capabilities)), driver_(driverString()),
-      vertexArray_(VertexArray::create("mesh vertices")),
-      recordedArray_(VertexArray::create("mesh vertices, draw records")) {
+      vertexArray_(VertexArray::create("mesh vertices, draw records")) {
     describeVertices(vertexArray_.id());
-    describeVertices(recordedArray_.id());
-    describeRecords(recordedArray_.id());
+    describeRecords(vertexArray_.id());
     restoreState();
 }
 
@@ -374,11 +372,9 @@ void GlDevice::setGeometry(BufferHandle vertices, BufferHandle indices) {
     if (geometry_ == std::array{vertices, indices})
         return;
     geometry_ = {vertices, indices};
-    for (const VertexArray* array : {&vertexArray_, &recordedArray_}) {
-        glVertexArrayVertexBuffer(array->id(), kArenaSlot, buffers_[static_cast<std::size_t>(vertices)].id(),
-                                  0, sizeof(layout::Vertex));
-        glVertexArrayElementBuffer(array->id(), buffers_[static_cast<std::size_t>(indices)].id());
-    }
+    glVertexArrayVertexBuffer(vertexArray_.id(), kArenaSlot,
+                              buffers_[static_cast<std::size_t>(vertices)].id(), 0, sizeof(layout::Vertex));
+    glVertexArrayElementBuffer(vertexArray_.id(), buffers_[static_cast<std::size_t>(indices)].id());
     glBindVertexArray(vertexArray_.id());
 }
 

@@ -171,9 +171,8 @@ void NullDevice::bindTextures(std::span<const TextureHandle> textures, bool) {
     record(CommandKind::BindTextures, textures.size(), 0, 1);
 }
 
-void NullDevice::bindRecords(std::size_t offset) {
-    bindsRecords_ = true;
-    record(CommandKind::BindRecords, offset, 0, 2);
+std::uint32_t NullDevice::baseInstanceAt(std::size_t offset) const {
+    return static_cast<std::uint32_t>(offset / sizeof(frame::gpu::DrawRecord));
 }
 
 void NullDevice::readDrawn() {
@@ -223,7 +222,6 @@ void NullDevice::resolve() {
 Result<void> NullDevice::endFrame() {
     // plus the fence
     frameCalls_ += state_.reset().count() + 1;
-    frameCalls_ += std::exchange(bindsRecords_, false) ? 1 : 0;
     lastFrameCalls_ = frameCalls_;
     return {};
 }

@@ -13,7 +13,6 @@ public:
     enum class CommandKind : std::uint8_t {
         BindStorage,  ///< a: number of ranges
         BindTextures, ///< a: number of textures
-        BindRecords,  ///< a: byte offset in the ring
         ReadDrawn,
         Compute,      ///< a: program handle, b: number of groups
         Clear,        ///< a: TargetImage
@@ -83,7 +82,7 @@ public:
     void bindStorage(std::span<const StorageRange> ranges) override;
     void bindTextures(std::span<const TextureHandle> textures, bool withDrawn) override;
     void readDrawn() override;
-    void bindRecords(std::size_t offset) override;
+    [[nodiscard]] std::uint32_t baseInstanceAt(std::size_t offset) const override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
     void beginStage(frame::StageKind stage) override;
@@ -115,7 +114,6 @@ private:
     std::vector<Command> commands_;
     std::vector<StorageRange> storage_;
     StateTracker state_;
-    bool bindsRecords_ = false; ///< this frame
     std::uint32_t frameCalls_ = 0, lastFrameCalls_ = 0;
 };
 
