@@ -51,6 +51,8 @@ constexpr std::array kBenches{
     Bench{"soak", "memory and device objects over an hour of walking", &benchSoak},
     Bench{"stream", "flights over streamed landblocks: time of the drawing thread, missing blocks, memory",
           &benchStream, &benchStreamOver},
+    Bench{"placed", "flights over streamed landblocks with 365,183 placed objects", &benchPlaced,
+          &benchPlacedOver},
     Bench{"calls", "GL calls a frame, along the tour and with many objects", &benchCalls},
     Bench{"crowd", "planning of frames with 200 people of a world database", &benchCrowd},
     Bench{"flood", "the portal flood in grids of rooms, fine cells, dungeons and a town", &benchFlood},

@@ -1,6 +1,7 @@
 #include "StreamBench.h"
 
 #include "ChildProcess.h"
+#include "FullWorld.h"
 #include "HeadlessDriver.h"
 #include "Stopwatch.h"
 #include "TemporaryDirectory.h"
@@ -233,6 +234,42 @@ std::vector<BenchRow> benchStreamOver(const std::string& dat) {
     if (const std::optional<HeadlessDriver> driver = openDriver())
         measure(dat + ", " + driver->device->capabilities().renderer, *driver->device);
     return rows;
+}
+
+std::vector<BenchRow> benchPlaced(AllocationCounter) {
+    engine::tuneHeap();
+    const TemporaryDirectory directory("placed");
+    const Result<void> written = inChildProcess([&]() -> Result<void> {
+        return worlds::writeGeneratedWorld({worlds::GeneratedKind::Map, kMapCells}, directory.path())
+            .and_then([&] { return writeFullWorld(directory.path()); });
+    });
+    std::vector<BenchRow> rows;
+    const auto measure = [&](const std::string& scene, gpu::Device& device) {
+        Result<engine::WorldSource> source =
+            written ? engine::openWorldSource(directory.path().string()) : Failure(written.error());
+        if (!source) {
+            addRows(scene, Failure(source.error()), rows);
+            return;
+        }
+        Land land(*source);
+        land.keepPart(source->file.places);
+        addRows(scene, fly(std::make_shared<const engine::WorldSource>(std::move(*source)), land, device),
+                rows);
+    };
+    measure("365,183 placed objects, null device", *std::make_unique<gpu::NullDevice>());
+    if (const std::optional<HeadlessDriver> driver = openDriver())
+        measure("365,183 placed objects, " + driver->device->capabilities().renderer, *driver->device);
+    return rows;
+}
+
+std::vector<BenchRow> benchPlacedOver(const std::string& dat) {
+    if (!std::filesystem::exists(std::filesystem::path(dat) / placements::kWorldDbName))
+        if (Result<void> written = inChildProcess([&] { return writeFullWorld(dat); }); !written) {
+            std::vector<BenchRow> rows;
+            addRows(dat, Failure(written.error()), rows);
+            return rows;
+        }
+    return benchStreamOver(dat);
 }
 
 } // namespace limen::bench

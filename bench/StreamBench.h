@@ -13,4 +13,9 @@ namespace limen::bench {
 /// ground. `dat`: a directory, as for engine::openWorldSource. The retail map takes 23 minutes a device.
 [[nodiscard]] std::vector<BenchRow> benchStreamOver(const std::string& dat);
 
+/// The same flights over a world with as many placed objects as the published database. The first makes its own world; the
+/// second writes a world.db of made-up objects beside the files at `dat` if there is none.
+[[nodiscard]] std::vector<BenchRow> benchPlaced(AllocationCounter counter);
+[[nodiscard]] std::vector<BenchRow> benchPlacedOver(const std::string& dat);
+
 } // namespace limen::bench

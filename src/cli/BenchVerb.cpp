@@ -61,8 +61,8 @@ void addBenchVerb(CLI::App& program, const Console&, Choice& choice) {
         program.add_subcommand("bench", "measure the program and compare the results with targets");
     verb->add_option("NAME", arguments->names, "run these benchmarks, e.g. flood (all)")->type_name("");
     verb->add_option("--dat", arguments->dat,
-                     "use this directory of dat files in place of the benchmark's own world; only stream and "
-                     "gates can")
+                     "use this directory of dat files in place of the benchmark's own world; only stream, "
+                     "placed and gates can")
         ->type_name("DIR")
         ->check(notEmpty());
     verb->add_option("--pictures", arguments->pictures,

@@ -94,7 +94,7 @@ Result<TourFrames> checkPathFrames(const TourOptions& options, const engine::Wor
     return frames;
 }
 
-Result<TourFrames> checkTurnTable(const TourOptions& options, const world::WorldFile& file) {
+Result<TourFrames> checkTurnTable(const TourOptions& options, const engine::WorldSource& source) {
     PathArguments arguments = options.path;
     const Result<play::PathRequest> path = checkPath(arguments, kTurnTableFrames);
     if (!path)
@@ -116,10 +116,23 @@ Result<TourFrames> checkTurnTable(const TourOptions& options, const world::World
     } else {
         request.centre.isAtStart = true;
     }
-    Result<engine::ViewRequest> resolved = engine::resolvePlace(std::move(request.centre), file);
+    const bool isObject = source.placed != nullptr && !request.centre.place.empty() &&
+                          !engine::resolvePlace(request.centre, source.file);
+    Result<engine::ViewRequest> resolved = engine::resolvePlace(request.centre, source);
     if (!resolved)
         return Failure(resolved.error());
     request.centre = std::move(*resolved);
+    if (isObject) {                     // resolvePlace() gives a viewpoint before it
+        constexpr double kMiddle = 1.0; // metres above the origin of a person, a door or a chest
+        const Result<std::optional<Vec3>> position = source.placed->positionOf(options.at);
+        if (!position)
+            return Failure(position.error());
+        if (*position)
+            request.centre.eye = **position + Vec3(0.0, 0.0, kMiddle);
+        // A camera at the centre would be within the object, so a circle is drawn even where a wall is near.
+        constexpr double kAround = 2.0; // metres
+        request.distance = request.distance.value_or(kAround);
+    }
     request.centre.fov = path->fov;
     request.centre.size = path->size;
     request.centre.scene.time = path->time;
@@ -191,8 +204,8 @@ Result<Exit> runTour(const TourOptions& options, const Console& console) {
     Result<engine::WorldSource> source = openWorld(console, options.session.dat);
     if (!source)
         return Failure(source.error());
-    Result<TourFrames> request = options.turnTable ? checkTurnTable(options, source->file)
-                                                   : checkPathFrames(options, *source, console);
+    Result<TourFrames> request =
+        options.turnTable ? checkTurnTable(options, *source) : checkPathFrames(options, *source, console);
     if (!request)
         return Failure(request.error());
     Result<engine::HeadlessSession> headless = engine::openHeadless(
@@ -240,7 +253,7 @@ void addTurnTableOptions(CLI::App& verb, TourOptions& options) {
         ->group("Turn-table");
     verb.add_option("--distance", options.distance,
                     "set the distance of the camera in metres; 0: turn at the place (the largest free circle "
-                    "up to 24)")
+                    "up to 24; 2 around an object of world.db)")
         ->type_name("M")
         ->group("Turn-table");
 }

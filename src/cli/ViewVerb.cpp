@@ -1,7 +1,9 @@
+#include "cli/Choices.h"
 #include "cli/Parse.h"
 #include "cli/SessionArguments.h"
 #include "cli/ShotRequest.h"
 #include "cli/Verbs.h"
+#include "cli/world/PlacedImport.h"
 #include "engine/HeapTuning.h"
 #include "output/OutputFile.h"
 #include "viewer/Signals.h"
@@ -19,6 +21,7 @@ namespace {
 struct ViewOptions {
     engine::SessionOptions session;
     ViewArguments view;
+    std::vector<std::string> import; ///< sources of placed objects; empty: none
     std::string frames, step, screenshot, screenshots, record, keys, uiScale, scale, frameRate;
     bool json = false, tell = false, fly = false, chase = false;
     bool isQualityGiven = false;
@@ -207,8 +210,20 @@ Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options
     return application;
 }
 
+/// Writes a world.db beside the dat files before the window opens.
+Result<Exit> importFirst(const ViewOptions& options, const Console& console) {
+    if (options.import.empty())
+        return Exit::Done;
+    if (options.session.dat.empty())
+        return fail(ErrorCode::BadArgument, "--import",
+                    "writes a world.db beside your dat files; give their directory with --dat DIR");
+    return importPlaced({options.import, options.session.dat, {}, {}}, console);
+}
+
 Result<Exit> runView(const ViewOptions& options, const Console& console) {
     engine::tuneHeap();
+    if (Result<Exit> imported = importFirst(options, console); !imported || *imported != Exit::Done)
+        return imported;
     viewer::Signals signals; // before threads start
     Result<Script> script = scriptOf(options);
     if (!script)
@@ -273,6 +288,13 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
                      "record the input of each frame, for --walk of tour, probe and check (none)")
         ->type_name("FILE")
         ->group("Scripts");
+    verb->add_option(
+            "--import", options->import,
+            "first read doors, people and signs from these directories, archives or files of SQL, or this "
+            "server, into world.db beside the files of --dat; needed once (none)")
+        ->type_name("SOURCE")
+        ->check(notEmpty())
+        ->group("World");
     verb->add_flag("--fly", options->fly, "start flying; the key G switches")->group("View");
     verb->add_flag("--chase", options->chase, "start in third person; the key C switches")
         ->group("View")
@@ -306,7 +328,8 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
             "(limen/keys.json in the user's configuration directory)")
         ->type_name("FILE")
         ->group("View");
-    verb->footer(keysFooter() + "Examples:\n  limen view\n  limen view --at inn.hall --fly");
+    verb->footer(keysFooter() + "Examples:\n  limen view --at inn.hall --fly\n"
+                                "  limen view --dat DIR --at Holtburg --import core patches");
     verb->callback([&console, &choice, options, verb] {
         for (const char* name : {"--quality", "--radius", "--far", "--detail", "--msaa"})
             options->isQualityGiven = options->isQualityGiven || verb->count(name) > 0;

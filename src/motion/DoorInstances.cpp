@@ -21,6 +21,18 @@ BodyPose scaled(BodyPose pose, const Vec3& scale) {
     return pose;
 }
 
+/// The parts of a thing that opens.
+void addParts(const world::Door& thing, double open, DynamicInstances& instances) {
+    const world::World& world = instances.world();
+    for (std::uint32_t l = thing.firstLeaf; l < thing.firstLeaf + thing.leafCount; ++l) {
+        const world::Leaf& leaf = world.leaves[l];
+        const world::LeafPose at = world::leafPose(world, leaf, open);
+        const BodyPose pose{at.turn, at.origin};
+        const std::size_t first = instances.addBody(leaf.body, scaled(pose, leaf.scale), {}, thing.space);
+        instances.setSpaces(first, instances.reachedFrom(thing.space, pose.placed(leaf.body.bounds)));
+    }
+}
+
 /// Leaves belong to both sides of their portal, shut or not, and to the spaces that they reach from there.
 void addLeaves(const world::Door& door, double open, DynamicInstances& instances) {
     const world::World& world = instances.world();
@@ -54,6 +66,8 @@ void shutPortals(const world::World& world, const DynamicStateInput& input, worl
     out.fillings.assign(out.closed.size(), kNone);
     for (std::size_t i = 0; i < world.doors.size(); ++i) {
         const world::Door& door = world.doors[i];
+        if (door.portal == kNone)
+            continue;
         LIMEN_ASSERT(door.portal < world.portals.size(), "a door fills a portal of the world");
         LIMEN_ASSERT(door.reciprocal == kNone || door.reciprocal < world.portals.size(),
                      "a door's reciprocal is a portal of the world");
@@ -69,6 +83,10 @@ void addDoors(const DynamicStateInput& input, DynamicInstances& instances) {
     const world::World& world = instances.world();
     for (std::size_t i = 0; i < world.doors.size(); ++i) {
         const world::Door& door = world.doors[i];
+        if (door.portal == kNone) {
+            addParts(door, opennessOf(world, input, i), instances);
+            continue;
+        }
         addLeaves(door, opennessOf(world, input, i), instances);
         if (instances.state().closed[door.portal] != 0 && door.filling != kNone)
             addFilling(door, instances);

@@ -26,6 +26,8 @@ double wayOfLeaves(const world::World& world, const world::Door& door) {
 
 /// Whether a door can touch a body at any openness.
 bool isNear(const world::World& world, const world::Door& door, const Vec3& middle, const Capsule& capsule) {
+    if (door.portal == world::kNone)
+        return false; // a thing that opens stops no body
     const auto leaves = std::span(world.leaves).subspan(door.firstLeaf, door.leafCount);
     const bool isNearLeaf = std::any_of(leaves.begin(), leaves.end(), [&](const world::Leaf& leaf) {
         const Sphere reach = world::leafReach(world, leaf);

@@ -47,11 +47,45 @@ double aheadOf(std::span<const Vec3> outline, const Plane& plane, const Vec3& ey
     return nearest <= kReach ? ahead : -1.0;
 }
 
+/// The same for a thing that opens, by the spheres around its parts at every openness.
+double aheadOf(const world::World& world, const world::Door& thing, const Vec3& eye, const Vec3& forward) {
+    double most = -1.0;
+    for (std::uint32_t l = thing.firstLeaf; l < thing.firstLeaf + thing.leafCount; ++l) {
+        const Sphere reach = world::leafReach(world, world.leaves[l]);
+        const Vec3 way = reach.centre - eye;
+        const double distance = glm::length(way);
+        if (distance - reach.radius <= kReach)
+            most = std::max(most, distance > 0.0 ? glm::dot(way, forward) / distance : 1.0);
+    }
+    return most;
+}
+
+/// The same for a door that a player in `space` can use; -1 for others.
+double aheadOf(const world::World& world, const world::Door& door, world::SpaceIndex space, const Vec3& eye,
+               const Vec3& forward) {
+    if (!canSwing(world, door))
+        return -1.0;
+    if (door.portal == world::kNone)
+        return door.space == space ? aheadOf(world, door, eye, forward) : -1.0;
+    const world::Portal& portal = world.portals[door.portal];
+    return portal.space == space || portal.destination == space
+               ? aheadOf(world::cornersOf(world, portal), portal.plane, eye, forward)
+               : -1.0;
+}
+
 } // namespace
 
-void DoorUse::use(const world::Door& door) {
+bool DoorUse::use(const world::Door& door) {
+    if (door.locked && isShut(door))
+        return false;
     const auto swing = swings_.try_emplace(door.name, Swing{door.open, door.open > 0.0, door.seconds}).first;
     swing->second.opens = !swing->second.opens;
+    return true;
+}
+
+bool DoorUse::isShut(const world::Door& door) const {
+    const auto swing = swings_.find(door.name);
+    return swing != swings_.end() ? swing->second.open == 0.0 && !swing->second.opens : door.open == 0.0;
 }
 
 void DoorUse::put(const world::Door& door, double open) {
@@ -108,10 +142,7 @@ std::optional<std::size_t> doorInReach(const world::World& world, world::SpaceIn
     std::optional<std::size_t> best;
     double most = kLeastAhead;
     for (std::size_t i = 0; i < world.doors.size(); ++i) {
-        const world::Portal& portal = world.portals[world.doors[i].portal];
-        if ((portal.space != space && portal.destination != space) || !canSwing(world, world.doors[i]))
-            continue;
-        const double ahead = aheadOf(world::cornersOf(world, portal), portal.plane, eye, forward);
+        const double ahead = aheadOf(world, world.doors[i], space, eye, forward);
         if (ahead > most) {
             most = ahead;
             best = i;

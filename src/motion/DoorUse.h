@@ -14,8 +14,8 @@ namespace limen::motion {
 /// openness. The result depends on the calls alone.
 class DoorUse {
 public:
-    /// Opens a door, or shuts it if it is open or opening.
-    void use(const world::Door& door);
+    /// Opens a door, or shuts it if it is open or opening. False, with nothing changed, for a locked door that is shut.
+    bool use(const world::Door& door);
     /// Sets the openness of one door, 0..1, at once.
     void put(const world::Door& door, double open);
     /// Sets the openness of every door of a world, 0..1, at once.
@@ -28,6 +28,8 @@ public:
     void write(const world::World& world, std::vector<double>& openness) const;
     /// Whether a door is open or opening.
     [[nodiscard]] bool opens(const world::Door& door) const;
+    /// Whether a door is shut and stays so.
+    [[nodiscard]] bool isShut(const world::Door& door) const;
 
 private:
     struct Swing {
@@ -40,8 +42,8 @@ private:
     std::vector<double> open_;                         ///< by World::doors; scratch
 };
 
-/// The door that a player in a space would use: an index into World::doors. Among the doors of that space
-/// that can swing and are within 2.5 m of the eye, the one nearest to the gaze; at most 60 degrees from it.
+/// The door that a player in a space would use: an index into World::doors. Among the doors and the things that open in that
+/// space that can swing and are within 2.5 m of the eye, the one nearest to the gaze; at most 60 degrees from it.
 /// `forward`: unit vector.
 [[nodiscard]] std::optional<std::size_t> doorInReach(const world::World& world, world::SpaceIndex space,
                                                      const Vec3& eye, const Vec3& forward);

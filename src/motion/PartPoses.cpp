@@ -136,7 +136,8 @@ PartPose PartPoses::of(std::uint32_t index) const {
     const std::optional<world::PartFrame> at = frameOf(posed.part);
     if (!at)
         return rest;
-    PartPose pose{glm::mat3_cast(at->orientation), at->origin};
+    const world::PartFrame placed = world::posedAt(*at, posed);
+    PartPose pose{glm::mat3_cast(placed.orientation), placed.origin};
     for (int axis = 0; axis < 3; ++axis)
         pose.linear[axis] *= posed.scale[axis];
     return pose;

@@ -1,6 +1,7 @@
 #include "placements/ContentBuilder.h"
 
 #include "core/Assert.h"
+#include "placements/TemplateFields.h"
 #include "placements/sql/Text.h"
 
 #include <algorithm>
@@ -38,94 +39,6 @@ std::optional<Spot> spotOf(std::span<const Value, 8> row) {
                 {floatOf(row[4]), floatOf(row[5]), floatOf(row[6]), floatOf(row[7])}};
 }
 
-void setInt(Template& to, std::int64_t type, std::int32_t value) {
-    switch (type) {
-    case 3:
-        to.paletteTemplate = value;
-        break;
-    case 81:
-        to.maxGenerated = value;
-        break;
-    case 82:
-        to.initGenerated = value;
-        break;
-    case 93:
-        to.physicsState = value;
-        break;
-    default:
-        break;
-    }
-}
-
-void setBool(Template& to, std::int64_t type, bool value) {
-    switch (type) {
-    case 2:
-        to.open = value;
-        break;
-    case 3:
-        to.locked = value;
-        break;
-    case 13:
-        to.ethereal = value;
-        break;
-    case 18:
-        to.visibility = value;
-        break;
-    case 34:
-        to.defaultOpen = value;
-        break;
-    case 35:
-        to.defaultLocked = value;
-        break;
-    case 71:
-        to.noDraw = value;
-        break;
-    default:
-        break;
-    }
-}
-
-void setFloat(Template& to, std::int64_t type, double value) {
-    switch (type) {
-    case 12:
-        to.shade = value;
-        break;
-    case 39:
-        to.scale = value;
-        break;
-    case 43:
-        to.generatorRadius = value;
-        break;
-    case 76:
-        to.translucency = value;
-        break;
-    default:
-        break;
-    }
-}
-
-void setDataId(Template& to, std::int64_t type, std::uint32_t value) {
-    switch (type) {
-    case 1:
-        to.setup = value;
-        break;
-    case 2:
-        to.motionTable = value;
-        break;
-    case 6:
-        to.paletteBase = value;
-        break;
-    case 7:
-        to.clothingBase = value;
-        break;
-    case 22:
-        to.physicsEffects = value;
-        break;
-    default:
-        break;
-    }
-}
-
 GeneratorEntry generatorOf(std::span<const Value> row) {
     GeneratorEntry entry;
     entry.probability = floatOf(row[2]);
@@ -147,20 +60,20 @@ void setProperty(TableKey key, Template& to, std::span<const Value> row) {
     const std::int64_t type = row[2].integer;
     switch (key) {
     case TableKey::Int:
-        setInt(to, type, signedOf(row[3]));
+        setField(kIntFields, to, type, signedOf(row[3]));
         break;
     case TableKey::Bool:
-        setBool(to, type, row[3].integer != 0);
+        setField(kBoolFields, to, type, row[3].integer != 0);
         break;
     case TableKey::Float:
-        setFloat(to, type, row[3].real);
+        setField(kRealFields, to, type, row[3].real);
         break;
     case TableKey::String:
         if (type == kNameProperty)
             to.name = validUtf8(row[3].text); // a text with a character set comes as its bytes
         break;
     case TableKey::DataId:
-        setDataId(to, type, unsignedOf(row[3]));
+        setField(kIdFields, to, type, unsignedOf(row[3]));
         break;
     case TableKey::Position:
         if (type == kDestinationProperty)

@@ -1,5 +1,7 @@
 #include "placements/ExportSql.h"
 
+#include "placements/TemplateFields.h"
+
 #include <fmt/format.h>
 #include <iterator>
 
@@ -59,7 +61,7 @@ public:
     Properties(std::uint32_t id, const char* kind)
         : id_(id), insert_(std::string("weenie_properties_") + kind, "`object_Id`, `type`, `value`") {}
     template <class T>
-    void add(int type, const std::optional<T>& value) {
+    void add(std::int64_t type, const std::optional<T>& value) {
         if (!value)
             return;
         if constexpr (std::is_same_v<T, bool>)
@@ -67,7 +69,7 @@ public:
         else
             insert_.add(fmt::format("{}, {}, {}", id_, type, *value));
     }
-    void addId(int type, std::uint32_t value) {
+    void addId(std::int64_t type, std::uint32_t value) {
         if (value != 0)
             insert_.add(fmt::format("{}, {}, 0x{:08X}", id_, type, value));
     }
@@ -85,27 +87,15 @@ private:
 std::string propertiesOf(const Template& of) {
     Properties ints(of.id, "int"), bools(of.id, "bool"), floats(of.id, "float"), strings(of.id, "string"),
         ids(of.id, "d_i_d");
-    ints.add(3, of.paletteTemplate);
-    ints.add(81, of.maxGenerated);
-    ints.add(82, of.initGenerated);
-    ints.add(93, of.physicsState);
-    bools.add(2, of.open);
-    bools.add(3, of.locked);
-    bools.add(13, of.ethereal);
-    bools.add(18, of.visibility);
-    bools.add(34, of.defaultOpen);
-    bools.add(35, of.defaultLocked);
-    bools.add(71, of.noDraw);
-    floats.add(12, of.shade);
-    floats.add(39, of.scale);
-    floats.add(43, of.generatorRadius);
-    floats.add(76, of.translucency);
+    for (const auto& field : kIntFields)
+        ints.add(field.property, of.*(field.member));
+    for (const auto& field : kBoolFields)
+        bools.add(field.property, of.*(field.member));
+    for (const auto& field : kRealFields)
+        floats.add(field.property, of.*(field.member));
     strings.addText(1, of.name);
-    ids.addId(1, of.setup);
-    ids.addId(2, of.motionTable);
-    ids.addId(6, of.paletteBase);
-    ids.addId(7, of.clothingBase);
-    ids.addId(22, of.physicsEffects);
+    for (const auto& field : kIdFields)
+        ids.addId(field.property, of.*(field.member));
     return ints.text() + bools.text() + floats.text() + strings.text() + ids.text();
 }
 

@@ -7,13 +7,15 @@
 namespace limen::placements {
 namespace {
 
-constexpr std::array<std::pair<TemplateType, const char*>, 8> kTypeNames{{
+constexpr std::array<std::pair<TemplateType, const char*>, 10> kTypeNames{{
     {TemplateType::Generic, "generic"},
     {TemplateType::Portal, "portal"},
     {TemplateType::Creature, "creature"},
     {TemplateType::Vendor, "vendor"},
     {TemplateType::Door, "door"},
     {TemplateType::Chest, "chest"},
+    {TemplateType::Container, "container"},
+    {TemplateType::PressurePlate, "pressure plate"},
     {TemplateType::Lifestone, "lifestone"},
     {TemplateType::Switch, "switch"},
 }};

@@ -55,6 +55,8 @@ enum class TemplateType : std::int32_t {
     Vendor = 12,
     Door = 19,
     Chest = 20,
+    Container = 21,
+    PressurePlate = 24,
     Lifestone = 25,
     Switch = 26
 };
@@ -87,10 +89,12 @@ struct PartChange {
 /// An object that the object has from the start.
 struct CreatedItem {
     static constexpr std::int32_t kWield = 2; ///< bit of `destination`: worn or wielded
+    static constexpr std::int32_t kTreasure =
+        8; ///< bit of `destination`: a shade other than 0 is the item's probability
     std::int32_t destination = 0;
     std::uint32_t templateId = 0;
     std::int32_t palette = 0; ///< palette template; 0: that of the item's own template
-    float shade = 0.0f;
+    float shade = 0.0f;       ///< 0: that of the item's own template
     friend bool operator==(const CreatedItem&, const CreatedItem&) = default;
 };
 /// An entry of a generator: it makes objects of one template.
@@ -112,9 +116,19 @@ struct Template {
     std::int32_t type = 0;
     std::string name; ///< for people; empty: none
 
-    std::uint32_t setup = 0, motionTable = 0, paletteBase = 0, clothingBase = 0, physicsEffects = 0;
+    std::uint32_t setup = 0, motionTable = 0, paletteBase = 0, clothingBase = 0;
+    std::uint32_t physicsEffects = 0; ///< a PhysicsScriptTable, in place of the Setup's
+    std::uint32_t physicsScript = 0;  ///< the kind of script of that table that plays from the start; 0: none
+    // Of a person's head. A texture replaces the plain one of the same feature.
+    std::uint32_t eyesTexture = 0, noseTexture = 0, mouthTexture = 0;
+    std::uint32_t plainEyesTexture = 0, plainNoseTexture = 0, plainMouthTexture = 0;
+    std::uint32_t hairPalette = 0, eyesPalette = 0, skinPalette = 0, headObject = 0;
+
     std::optional<std::int32_t> paletteTemplate, physicsState, maxGenerated, initGenerated;
-    std::optional<double> shade, scale, translucency, generatorRadius;
+    // Of an item that can be worn or held (Equipment.h).
+    std::optional<std::int32_t> itemType, clothingPriority, validLocations, combatStyle, parentLocation,
+        placementPosition;
+    std::optional<double> shade, scale, translucency, generatorRadius, scriptIntensity;
     std::optional<bool> open, locked, ethereal, visibility, defaultOpen, defaultLocked, noDraw;
 
     std::vector<PaletteChange> palettes;

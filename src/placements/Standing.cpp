@@ -1,6 +1,6 @@
 #include "placements/Standing.h"
 
-#include "core/Hash.h"
+#include "placements/Chance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +15,6 @@ constexpr std::uint32_t kScatter = 0x2, kSpecific = 0x4, kNotInWorld = 0x8 | 0x1
 constexpr std::uint32_t kPlaceHolder = 3666; ///< the template of entries that stand for link children
 constexpr std::int32_t kMostMade = 64;       ///< by one generator
 constexpr std::uint32_t kFirstIndoors = 0x0100;
-
-/// A number 0..1 that depends on a guid and two numbers.
-double chance(std::uint32_t guid, std::uint32_t number, std::uint32_t purpose) {
-    Hash hash;
-    hash.add(guid);
-    hash.add(number);
-    hash.add(purpose);
-    std::uint64_t bits = hash.value();
-    bits ^= bits >> 33;
-    bits *= 0xFF51AFD7ED558CCDu;
-    bits ^= bits >> 33;
-    return static_cast<double>(bits >> 11) / 9007199254740992.0;
-}
 
 /// The guids that stand: all but link children, and the children of those that stand.
 std::unordered_set<std::uint32_t> standingGuids(const Landblock& landblock) {

@@ -66,6 +66,10 @@ public:
     /// matter. An empty text finds all objects. `type`: only templates of this type. At most `limit`.
     [[nodiscard]] Result<std::vector<Found>> search(const std::string& name, std::optional<std::int32_t> type,
                                                     std::size_t limit) const;
+    /// Calls `visit` with the place of every object whose template has a type, in any order, until it returns false. The
+    /// database is locked meanwhile.
+    [[nodiscard]] Result<void> eachOfType(std::int32_t type,
+                                          const std::function<bool(const Spot&)>& visit) const;
     [[nodiscard]] Result<std::optional<Placement>> findPlacement(std::uint32_t guid) const;
 
 private:

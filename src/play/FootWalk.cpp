@@ -144,8 +144,9 @@ private:
 
     /// Opens a shut door, and shuts one whose open leaf is in the way.
     bool useTheDoor() {
-        if (!play_.doorInReach())
-            return false;
+        const std::optional<std::size_t> door = play_.doorInReach();
+        if (!door || session_.part().world.doors[*door].portal == world::kNone)
+            return false; // a chest is in nobody's way
         acts_.push_back({PlayActKind::Use});
         return true;
     }

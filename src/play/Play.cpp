@@ -138,7 +138,14 @@ void Play::useDoor() {
         doors_.putAll(world, *request_.scene.doors);
     request_.scene.doors.reset();
     doorsTowards_.reset();
-    doors_.use(world.doors[*door_]);
+    if (!doors_.use(world.doors[*door_]))
+        refusal_ = Refusal{*door_, request_.scene.seconds};
+}
+
+bool Play::isRefused() const {
+    constexpr double kShown = 2.0; // seconds
+    const double since = refusal_ ? request_.scene.seconds - refusal_->seconds : kShown;
+    return since >= 0.0 && since < kShown && door_ == refusal_->door;
 }
 
 void Play::useTravel() {
@@ -210,6 +217,7 @@ void Play::standAt(engine::ViewRequest view) {
     }
     if (!request)
         return;
+    refusal_.reset();
     request->scene.time = request_.scene.time;
     request->scene.dayGroup = request_.scene.dayGroup;
     request->scene.weather = request_.scene.weather;
@@ -258,6 +266,7 @@ Result<void> Play::followEye() {
     if (offered == nullptr || (walk_.isOn() && residency_.isPatient() && !walk_.prepare(session_, offered)) ||
         !residency_.show())
         return {};
+    refusal_.reset();
     request_.root = engine::rootIn(session_.part(), cell, eye);
     tracker_.place(request_.root);
     doors_.write(session_.part().world, request_.scene.eachDoor);

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] const WalkingBody& walk() const { return walk_; }
     /// The index of the door that PlayActKind::Use would move.
     [[nodiscard]] std::optional<std::size_t> doorInReach() const { return door_; }
+    /// Whether the door in reach was used within the last two seconds, and stayed shut because it is locked.
+    [[nodiscard]] bool isRefused() const;
     /// The name of the place that is loading as the destination; empty: none.
     [[nodiscard]] std::string_view goingTo() const { return going_ ? std::string_view(going_->name) : ""; }
     [[nodiscard]] bool opens(std::size_t door) const {
@@ -35,6 +37,11 @@ private:
     struct Destination {
         engine::ViewRequest view;
         std::string name;
+    };
+    /// The use of a locked door.
+    struct Refusal {
+        std::size_t door = 0;
+        double seconds = 0.0; ///< the world's time
     };
     void act(const PlayAct& act);
     void beginToWalk();
@@ -61,6 +68,7 @@ private:
     motion::DoorUse doors_;
     std::optional<double> doorsTowards_; ///< the openness that all doors swing to, 0 or 1
     std::optional<std::size_t> door_;
+    std::optional<Refusal> refusal_;             ///< the last one in this part of the world
     std::uint64_t steps_ = 0, framesAtStep_ = 0; ///< number of steps; Session::frames at the last step
     std::optional<Destination> going_;           ///< set until its part of the world is shown
 };

@@ -126,6 +126,7 @@ nlohmann::ordered_json worldJson(const WorldView& view) {
             {"loaded", {session.part().target.centre.x, session.part().target.centre.y}},
             {"going_to", view.goingTo()},
             {"door", view.doorInReach()},
+            {"door_refused", view.isRefused()},
             {"names", namesJson(view.names())},
             {"gl_calls", session.figures().glCalls}};
 }

@@ -310,6 +310,7 @@ std::optional<ScaleWish> WorldView::drawOverlay(Ui& ui, Overlay& overlay, const 
                            .body = walk().isOn() ? &walk().body() : nullptr,
                            .door = door ? &session_->part().world.doors[*door] : nullptr,
                            .doorOpens = door && play_.opens(*door),
+                           .isRefused = play_.isRefused(),
                            .picked = picked_ ? &*picked_ : nullptr,
                            .verdict = verdict_ ? &*verdict_ : nullptr,
                            .frozen = frozen_ ? &*frozen_ : nullptr,

@@ -83,6 +83,8 @@ public:
     [[nodiscard]] std::string_view goingTo() const { return play_.goingTo(); }
     /// The name of the door that the use key moves; empty: none.
     [[nodiscard]] std::string doorInReach() const;
+    /// Whether that door was just used and is locked.
+    [[nodiscard]] bool isRefused() const { return play_.isRefused(); }
     [[nodiscard]] std::span<const PortalTrace> portals() const { return portals_; }
     /// The number of visits of the frozen flood; 0 without one.
     [[nodiscard]] std::size_t frozenVisits() const { return frozen_ ? frozen_->visible.visits.size() : 0; }

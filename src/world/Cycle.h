@@ -44,8 +44,17 @@ struct Cycle {
 struct PosedPart {
     std::uint32_t part = 0; ///< index in the Setup, and so in each frame
     Vec3 scale{1.0};
+    bool isHeld = false; ///< a part of a thing that the Setup's part holds, at `grip` in its frame
+    PartFrame grip{};
     friend bool operator==(const PosedPart&, const PosedPart&) = default;
 };
+
+/// The pose of a moving part in a frame of the Setup's part that it shows, or that holds it.
+[[nodiscard]] inline PartFrame posedAt(const PartFrame& frame, const PosedPart& posed) {
+    if (!posed.isHeld)
+        return frame;
+    return {frame.orientation * posed.grip.orientation, frame.origin + frame.orientation * posed.grip.origin};
+}
 
 /// The index, within its stretch, of the frame that is played at `step`; both 0..frameCount-1.
 [[nodiscard]] constexpr std::uint32_t frameAt(const Stretch& stretch, std::uint32_t step) {

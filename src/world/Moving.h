@@ -50,12 +50,15 @@ struct Leaf {
     friend bool operator==(const Leaf&, const Leaf&) = default;
 };
 
-/// A door or pane in one opening. An opaque one shuts the opening while all its leaves are exactly closed.
+/// A door or pane in one opening. An opaque one shuts the opening while all its leaves are exactly closed. One without an
+/// opening is a thing that opens, such as a chest or a lever: it shuts nothing and stops no body.
 struct Door {
     std::string name;
-    PortalIndex portal = kNone;     ///< from the cell that world.json names
+    PortalIndex portal = kNone;     ///< from the cell that world.json names; kNone: it has no opening
     PortalIndex reciprocal = kNone; ///< kNone: one-way
+    SpaceIndex space = kOutside;    ///< the place of one without an opening
     bool opaque = true;
+    bool locked = false;                        ///< while it is shut, nobody opens it by hand
     double open = 0.0;                          ///< initially: 0 closed .. 1 open
     double seconds = 1.0;                       ///< from closed to open
     std::uint32_t firstLeaf = 0, leafCount = 0; ///< run of World::leaves

@@ -41,17 +41,11 @@ struct RouteEntry {
     std::vector<Point> points;
 };
 
-/// A script of the Setup's PhysicsScriptTable that plays from the start of the world.
-struct PlayEntry {
-    std::uint32_t kind = 0; ///< 0: none
-    double intensity = 0.0;
-};
-
 struct VillagerEntry {
     std::string name, route;
     dat::RecordId model = 0;
     double speed = 1.0, start = 0.0;
-    PlayEntry play;
+    PlayEntry play;                      ///< of the Setup's table
     std::vector<ClothingEntry> clothing; ///< later entries cover earlier ones
     dat::RecordId basePalette = 0;       ///< of all indexed pictures of the body; 0: each has its own
 };

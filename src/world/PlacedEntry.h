@@ -37,6 +37,23 @@ struct LookEntry {
     std::vector<Part> parts;
 };
 
+/// A thing in an object's hands.
+struct HeldEntry {
+    dat::RecordId model = 0;     ///< a Setup
+    std::uint32_t location = 0;  ///< key of a holding location of the holder's Setup
+    std::uint32_t placement = 0; ///< key of a placement frame of its own Setup
+    double scale = 1.0;          ///< its own, whatever the holder's is
+    std::vector<ClothingEntry> clothing;
+    dat::RecordId basePalette = 0;
+    LookEntry look;
+};
+
+/// A script of a PhysicsScriptTable that plays from the start of the world.
+struct PlayEntry {
+    std::uint32_t kind = 0; ///< 0: none
+    double intensity = 0.0;
+};
+
 /// The place that a travel portal leads to.
 struct TravelEntry {
     dat::RecordId cell = 0; ///< 0: outside
@@ -62,12 +79,18 @@ struct PlacedEntry {
     Quat orientation{1.0, 0.0, 0.0, 0.0};     ///< a unit quaternion
     double scale = 1.0;
     double opacity = 1.0;
-    bool isOpen = false;                 ///< of a door, initially
+    bool isOpen = false;                 ///< of a door or a thing that opens, initially
+    bool isLocked = false;               ///< nobody opens it by hand
+    bool mayOpen = false;                ///< a thing that opens if its motion table can show it shut and open
     bool stopsBodies = true;             ///< false: bodies walk through it
     bool isOnGround = false;             ///< outside: its height is that of the ground, where there is ground
     std::vector<ClothingEntry> clothing; ///< later entries cover earlier ones
     dat::RecordId basePalette = 0;       ///< of all indexed pictures; 0: each has its own
+    LookEntry beneath;                   ///< of the body: its skin, and a person's head; clothes cover it
     LookEntry look;
+    std::vector<HeldEntry> held;
+    dat::RecordId scriptTable = 0; ///< of its effects; 0: that of the Setup
+    PlayEntry play;
     std::optional<TravelEntry> travel; ///< of a travel portal
 };
 

@@ -137,17 +137,23 @@ TEST_F(PlacedWorld, isComparedWithTheDatFiles) {
     EXPECT_EQ(compared["doors"], 13);
     EXPECT_EQ(compared["doors_in_an_opening"], 13);
     EXPECT_TRUE(compared["unresolved"].empty()) << compared;
-    putText(work() / "odd.sql",
-            "INSERT INTO weenie VALUES (1, 'a', 19, ''), (2, 'b', 10, '');\n"
-            "INSERT INTO weenie_properties_d_i_d VALUES (1, 1, 1, 0x02000150), (2, 2, 1, 0x0200FFFF), (3, 2, "
-            "2, 0x0900FFFF);\n"
-            "INSERT INTO landblock_instance VALUES (1, 1, 0xA9B40001, 1, 1, 50, 1, 0, 0, 0, False, ''), "
-            "(2, 2, 0xA9B4FF00, 1, 1, 50, 1, 0, 0, 0, False, '');\n");
+    putText(
+        work() / "odd.sql",
+        "INSERT INTO weenie VALUES (1, 'a', 19, ''), (2, 'b', 10, ''), (3, 'axe', 6, ''), (4, 'c', 10, '');\n"
+        "INSERT INTO weenie_properties_int VALUES (1, 3, 9, 1048576);\n"
+        "INSERT INTO weenie_properties_create_list VALUES (1, 4, 2, 3, 0, 0, 0, False);\n"
+        "INSERT INTO weenie_properties_d_i_d VALUES (1, 1, 1, 0x02000150), (2, 2, 1, 0x0200FFFF), (3, 2, "
+        "2, 0x0900FFFF), (4, 3, 1, 0x0200FFFE), (5, 4, 1, 0x02000150), (6, 4, 22, 0x3400FFFF), (7, 4, 30, "
+        "5);\n"
+        "INSERT INTO landblock_instance VALUES (1, 1, 0xA9B40001, 1, 1, 50, 1, 0, 0, 0, False, ''), "
+        "(2, 2, 0xA9B4FF00, 1, 1, 50, 1, 0, 0, 0, False, ''), (3, 4, 0xA9B40001, 1, 1, 50, 1, 0, 0, 0, "
+        "False, '');\n");
     std::filesystem::copy(work() / "rows", work() / "odd");
     expectFinished(runner_->run({"world", "import", "odd.sql", "--dat", "odd"}));
     const ProgramRun odd = runner_->run({"world", "stats", "--dat", "odd", "--resolve"});
     for (const char* reason : {"1  its Setup is not", "1  its MotionTable is not", "1  its cell is not",
-                               "1  the door stands before no opening"})
+                               "1  the door stands before no opening", "1  the Setup of a held item is not",
+                               "1  its PhysicsScriptTable is not"})
         EXPECT_THAT(odd.out, HasSubstr(reason));
 }
 

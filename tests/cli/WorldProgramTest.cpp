@@ -90,6 +90,8 @@ TEST(WorldVerb, wrongUseIsOneLineAndWritesNothing) {
     expectRefused({"world", "import", "cut.sql", "mariadb://a@c/d"}, "one URL, or paths");
     expectRefused({"world", "import", "cut.sql", "-o", "absent/world.db"}, "absent");
     expectRefused({"world", "import"}, "SOURCE");
+    expectRefused({"view", "--import", "cut.sql"}, "--import: writes a world.db beside your dat files");
+    expectRefused({"view", "--dat", "absent", "--import", "cut.sql"}, "there is no such directory");
     expectRefused({"world", "list", "--dat", "precious"}, "precious");
     expectRefused({"world", "show", "0x1", "--dat", "precious"}, "precious");
     expectRefused({"world", "list", "--block", "nowhere"}, "--block");

@@ -27,6 +27,23 @@ TEST(Picked, tellsThePolygonItsObjectAndTheWayThere) {
                                                              "1 outside, portal 2 of 0xA9B40105, 6.25 %"}));
 }
 
+TEST(Picked, namesAPlacedObject_itsTemplate_andItsCell) {
+    world::World world = smallWorld();
+    world::PlacedObject gate;
+    gate.object = 0x1122;
+    gate.name = "Old Gate 7C000001";
+    gate.templateId = 412;
+    world::PlacedObject other = gate;
+    other.object = 0x3344;
+    other.name = "Other";
+    world.placed = {other, gate};
+    const IdTable table(world);
+    const std::vector<std::string> lines = pickedLines(pickedPixel(world, table, {}, twoVisits(), 5, 1, 2.5));
+    ASSERT_GE(lines.size(), 3u);
+    EXPECT_EQ(lines[0], "Old Gate 7C000001, template 412");
+    EXPECT_EQ(lines[2], "object 0000000000001122, placed in 0xA9B40105");
+}
+
 TEST(Picked, aBlocksTerrainIsLandscape) {
     const world::World world = smallWorld();
     const IdTable table(world);

@@ -70,7 +70,7 @@ TEST(PlacedEntry, wearsItsClothesInOrder) {
     of.paletteTemplate = 3;
     of.shade = 0.5;
     of.paletteBase = 0x04000001;
-    of.items = {{2, 11, 7, 0.25f}, {1, 12, 7, 0.25f}, {10, 13, 0, 0.75f}, {2, 99, 0, 0.0f}};
+    of.items = {{2, 11, 7, 0.25f}, {1, 12, 7, 0.25f}, {2, 13, 0, 0.75f}, {2, 99, 0, 0.0f}};
     std::map<std::uint32_t, Template> others;
     for (const std::uint32_t id : {11u, 12u, 13u}) {
         others[id].clothingBase = 0x10000000 + id;
@@ -93,6 +93,85 @@ TEST(PlacedEntry, wearsItsClothesInOrder) {
     entry = entryOf(of, made, others);
     EXPECT_EQ(entry.clothing[0].palette, 9u) << "that of the generator";
     EXPECT_EQ(entry.clothing[0].shades, std::vector{1.0});
+}
+
+TEST(PlacedEntry, holdsItsWeapon) {
+    Template of;
+    of.type = 10;
+    of.items = {{2, 11, 7, 0.25f}};
+    std::map<std::uint32_t, Template> others;
+    Template& axe = others[11];
+    axe.setup = 0x02000011;
+    axe.validLocations = 0x100000;
+    axe.clothingBase = 0x10000011;
+    axe.paletteBase = 0x04000011;
+    axe.scale = 1.5;
+    axe.textures = {{0, 0x05000001, 0x05000002}};
+    const world::PlacedEntry entry = entryOf(of, standingAt(0x01010101), others);
+    EXPECT_TRUE(entry.clothing.empty()) << "an axe is no garment";
+    ASSERT_EQ(entry.held.size(), 1u);
+    const world::HeldEntry& held = entry.held[0];
+    EXPECT_EQ(held.model, 0x02000011u);
+    EXPECT_EQ(held.location, 1u);
+    EXPECT_EQ(held.placement, 1u);
+    EXPECT_EQ(held.scale, 1.5);
+    EXPECT_EQ(held.basePalette, 0x04000011u);
+    ASSERT_EQ(held.clothing.size(), 1u);
+    EXPECT_EQ(held.clothing[0].palette, 7u);
+    EXPECT_EQ(held.clothing[0].shades, std::vector{0.25});
+    EXPECT_EQ(held.look.textures.at(0).to, 0x05000002u);
+}
+
+TEST(PlacedEntry, hasTheFaceThatItsTemplateStates) {
+    Template of;
+    of.skinPalette = 0x04000001;
+    of.hairPalette = 0x04000002;
+    of.eyesPalette = 0x04000003;
+    of.plainNoseTexture = 0x05000001;
+    of.noseTexture = 0x05000002;
+    of.mouthTexture = 0x05000003; // of a plain one that is not stated
+    of.headObject = 0x01000009;
+    const world::LookEntry face = entryOf(of, standingAt(0x01010101)).beneath;
+    std::vector<std::array<std::uint32_t, 3>> colours;
+    for (const auto& each : face.colours)
+        colours.push_back({each.palette, each.offset, each.count});
+    EXPECT_EQ(colours, (std::vector<std::array<std::uint32_t, 3>>{
+                           {0x04000001, 0, 192}, {0x04000002, 192, 64}, {0x04000003, 256, 64}}));
+    ASSERT_EQ(face.textures.size(), 1u);
+    EXPECT_EQ(face.textures[0].part, 16u);
+    EXPECT_EQ(face.textures[0].to, 0x05000002u);
+    ASSERT_EQ(face.parts.size(), 1u);
+    EXPECT_EQ(face.parts[0].gfxObj, 0x01000009u);
+}
+
+TEST(PlacedEntry, opensIfItIsWithoutLife_andMayBeLocked) {
+    Template of;
+    for (const std::int32_t type : {1, 20, 21, 24, 26}) {
+        of.type = type;
+        EXPECT_TRUE(entryOf(of, standingAt(0x01010101)).mayOpen) << type;
+    }
+    for (const std::int32_t type : {7, 10, 12, 19, 25}) {
+        of.type = type;
+        EXPECT_FALSE(entryOf(of, standingAt(0x01010101)).mayOpen) << type;
+    }
+    EXPECT_FALSE(entryOf(of, standingAt(0x01010101)).isLocked);
+    of.defaultLocked = true;
+    EXPECT_TRUE(entryOf(of, standingAt(0x01010101)).isLocked);
+    of.locked = false;
+    EXPECT_FALSE(entryOf(of, standingAt(0x01010101)).isLocked) << "the state wins over the default";
+}
+
+TEST(PlacedEntry, hasItsEffects) {
+    Template of;
+    of.physicsEffects = 0x34000007;
+    of.physicsScript = 12;
+    world::PlacedEntry entry = entryOf(of, standingAt(0x01010101));
+    EXPECT_EQ(entry.scriptTable, 0x34000007u);
+    EXPECT_EQ(entry.play.kind, 12u);
+    EXPECT_EQ(entry.play.intensity, 1.0);
+    of.scriptIntensity = 0.25;
+    entry = entryOf(of, standingAt(0x01010101));
+    EXPECT_EQ(entry.play.intensity, 0.25);
 }
 
 TEST(PlacedEntry, changesItsLook) {
@@ -204,11 +283,22 @@ TEST_F(PlacedSearch, yieldsAViewOfAnObjectByItsGuid) {
     EXPECT_EQ(*placed().viewOf(std::uint32_t{1}), std::nullopt);
 }
 
+TEST_F(PlacedSearch, yieldsThePositionOfANamedObject) {
+    const Vec3 first(0xA9 * 192.0 + 10.0, 0xB4 * 192.0 + 20.0, 30.0);
+    EXPECT_EQ(*placed().positionOf("smith"), first) << "the least guid";
+    EXPECT_EQ((*placed().positionOf("Smith 70000001"))->x, 0xA9 * 192.0 + 100.0);
+    EXPECT_EQ(*placed().positionOf("hidden blacksmith"), std::nullopt);
+    EXPECT_EQ(*placed().positionOf("nobody"), std::nullopt);
+}
+
 TEST_F(PlacedSearch, yieldsThePositionsOfAType) {
     const Result<std::vector<Vec3>> portals = placed().positionsOf(placements::TemplateType::Portal);
     ASSERT_TRUE(portals);
     EXPECT_EQ(*portals, std::vector{Vec3(0xAA * 192.0 + 5.0, 0xB4 * 192.0 + 20.0, 30.0)});
     EXPECT_TRUE(placed().positionsOf(placements::TemplateType::Chest)->empty());
+    int calls = 0;
+    const auto once = [&] { return ++calls < 1; };
+    EXPECT_EQ(placed().positionsOf(placements::TemplateType::Creature, once)->size(), 1u) << "it was stopped";
 }
 
 TEST(RowsOfWorldFile, doorsAndPeopleComeBackAsEntries) {

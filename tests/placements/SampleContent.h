@@ -1,6 +1,6 @@
 #pragma once
 
-#include "placements/Placements.h"
+#include "placements/TemplateFields.h"
 
 #include <array>
 #include <random>
@@ -68,16 +68,14 @@ private:
         of.className = "class-" + std::to_string(id);
         of.type = pick(40);
         of.name = makeName();
-        for (std::uint32_t* record :
-             {&of.setup, &of.motionTable, &of.paletteBase, &of.clothingBase, &of.physicsEffects})
-            *record = pick(2) == 1 ? any() : 0;
-        for (auto* value : {&of.paletteTemplate, &of.physicsState, &of.maxGenerated, &of.initGenerated})
-            maybe(*value, static_cast<std::int32_t>(any()));
-        for (auto* value : {&of.shade, &of.scale, &of.translucency, &of.generatorRadius})
-            maybe(*value, static_cast<double>(pick(1000)) / 7.0);
-        for (auto* value : {&of.open, &of.locked, &of.ethereal, &of.visibility, &of.defaultOpen,
-                            &of.defaultLocked, &of.noDraw})
-            maybe(*value, pick(2) == 1);
+        for (const auto& field : placements::kIdFields)
+            of.*(field.member) = pick(2) == 1 ? any() : 0;
+        for (const auto& field : placements::kIntFields)
+            maybe(of.*(field.member), static_cast<std::int32_t>(any()));
+        for (const auto& field : placements::kRealFields)
+            maybe(of.*(field.member), static_cast<double>(pick(1000)) / 7.0);
+        for (const auto& field : placements::kBoolFields)
+            maybe(of.*(field.member), pick(2) == 1);
         for (int i = pick(3); i > 0; --i)
             of.palettes.push_back({any(), static_cast<std::uint16_t>(any()), static_cast<std::uint16_t>(i)});
         for (int i = pick(3); i > 0; --i)

@@ -75,42 +75,48 @@ TEST(Statements, readLinksAndLinkChildren) {
 
 TEST(Statements, readEveryMemberOfATemplate) {
     const Result<Content> content = contentOf(
-        kWeenie + "INSERT INTO `weenie_properties_int` (`object_Id`, `type`, `value`) VALUES (5, 3, 4), (5, "
-                  "81, 2), (5, 82, 1) , "
-                  "(5,  93,       1044) /* PhysicsState */, (5, 1, 128);\n"
-                  "INSERT INTO weenie_properties_bool (object_Id, type, value) VALUES (5, 2, True ), (5, 3, "
-                  "False), (5, 13, True), "
-                  "(5, 18, False), (5, 34, True), (5, 35, True), (5, 71, False), (5, 1, True);\n"
-                  "insert into weenie_properties_float (`object_Id`, `type`, `value`) values (5, 12, 0.5), "
-                  "(5, 39, 1.25), (5, 43, 3), "
-                  "(5, 76, .75), (5, 11, 300);\n"
-                  "INSERT INTO `weenie_properties_string` (`object_Id`, `type`, `value`) VALUES (5, 1, 'The "
-                  "''Old'' Gate'), (5, 14, 'x');\n"
-                  "INSERT INTO `weenie_properties_d_i_d` (`object_Id`, `type`, `value`) VALUES (5, 1, "
-                  "0x02000001), (5, 2, 0x09000002), "
-                  "(5, 6, 0x04000003), (5, 7, 0x10000004), (5, 22, 0x34000005), (5, 8, 0x06000006);\n"
-                  "INSERT INTO `weenie_properties_palette` (`object_Id`, `sub_Palette_Id`, `offset`, "
-                  "`length`) VALUES (5, 0x04000007, 8, 16);\n"
-                  "INSERT INTO `weenie_properties_texture_map` (`object_Id`, `index`, `old_Id`, `new_Id`) "
-                  "VALUES (5, 2, 0x05000001, 0x05000002);\n"
-                  "INSERT INTO `weenie_properties_anim_part` (`object_Id`, `index`, `animation_Id`) VALUES "
-                  "(5, 3, 0x01000009);\n"
-                  "INSERT INTO `weenie_properties_create_list` (`object_Id`, `destination_Type`, "
-                  "`weenie_Class_Id`, `stack_Size`, "
-                  "`palette`, `shade`, `try_To_Bond`) VALUES (5, 2, 124, 0, 7, 0.33, False), (5, -1, 127, 0, "
-                  "8, 1, False);\n"
-                  "INSERT INTO `weenie_properties_position` (`object_Id`, `position_Type`, `obj_Cell_Id`, "
-                  "`origin_X`, `origin_Y`, "
-                  "`origin_Z`, `angles_W`, `angles_X`, `angles_Y`, `angles_Z`) VALUES (5, 2, 0x01020103, 30, "
-                  "-60, 6, 1, 0, 0, 0)\n"
-                  "/* @teleloc 0x01020103 [30 -60 6] 1 0 0 0 */;\n"
-                  "INSERT INTO `weenie_properties_generator` (`object_Id`, `probability`, `weenie_Class_Id`, "
-                  "`delay`, `init_Create`, "
-                  "`max_Create`, `when_Create`, `where_Create`, `stack_Size`, `palette_Id`, `shade`, "
-                  "`obj_Cell_Id`, `origin_X`, "
-                  "`origin_Y`, `origin_Z`, `angles_W`, `angles_X`, `angles_Y`, `angles_Z`) VALUES (5, 0.9, "
-                  "14, 300, 1, 3, 1, 2, -1, "
-                  "NULL, 0.5, 0, 1, 2, 3, 1, 0, 0, 0);\n");
+        kWeenie +
+        "INSERT INTO `weenie_properties_int` (`object_Id`, `type`, `value`) VALUES (5, 3, 4), (5, "
+        "81, 2), (5, 82, 1) , "
+        "(5,  93,       1044) /* PhysicsState */, (5, 1, 128), (5, 4, 32), (5, 9, 0x200000), (5, 46, 16), "
+        "(5, "
+        "52, 3), (5, 65, 6), (5, 999, 1);\n"
+        "INSERT INTO weenie_properties_bool (object_Id, type, value) VALUES (5, 2, True ), (5, 3, "
+        "False), (5, 13, True), "
+        "(5, 18, False), (5, 34, True), (5, 35, True), (5, 71, False), (5, 1, True);\n"
+        "insert into weenie_properties_float (`object_Id`, `type`, `value`) values (5, 12, 0.5), "
+        "(5, 39, 1.25), (5, 43, 3), "
+        "(5, 76, .75), (5, 77, 0.125), (5, 11, 300);\n"
+        "INSERT INTO `weenie_properties_string` (`object_Id`, `type`, `value`) VALUES (5, 1, 'The "
+        "''Old'' Gate'), (5, 14, 'x');\n"
+        "INSERT INTO `weenie_properties_d_i_d` (`object_Id`, `type`, `value`) VALUES (5, 1, "
+        "0x02000001), (5, 2, 0x09000002), "
+        "(5, 6, 0x04000003), (5, 7, 0x10000004), (5, 22, 0x34000005), (5, 8, 0x06000006), "
+        "(5, 9, 0x05000011), (5, 10, 0x05000012), (5, 11, 0x05000013), (5, 12, 0x05000014), (5, 13, "
+        "0x05000015), (5, 14, 0x05000016), (5, 15, 0x04000017), (5, 16, 0x04000018), (5, 17, "
+        "0x04000019), (5, 18, 0x0100001A), (5, 30, 87);\n"
+        "INSERT INTO `weenie_properties_palette` (`object_Id`, `sub_Palette_Id`, `offset`, "
+        "`length`) VALUES (5, 0x04000007, 8, 16);\n"
+        "INSERT INTO `weenie_properties_texture_map` (`object_Id`, `index`, `old_Id`, `new_Id`) "
+        "VALUES (5, 2, 0x05000001, 0x05000002);\n"
+        "INSERT INTO `weenie_properties_anim_part` (`object_Id`, `index`, `animation_Id`) VALUES "
+        "(5, 3, 0x01000009);\n"
+        "INSERT INTO `weenie_properties_create_list` (`object_Id`, `destination_Type`, "
+        "`weenie_Class_Id`, `stack_Size`, "
+        "`palette`, `shade`, `try_To_Bond`) VALUES (5, 2, 124, 0, 7, 0.33, False), (5, -1, 127, 0, "
+        "8, 1, False);\n"
+        "INSERT INTO `weenie_properties_position` (`object_Id`, `position_Type`, `obj_Cell_Id`, "
+        "`origin_X`, `origin_Y`, "
+        "`origin_Z`, `angles_W`, `angles_X`, `angles_Y`, `angles_Z`) VALUES (5, 2, 0x01020103, 30, "
+        "-60, 6, 1, 0, 0, 0)\n"
+        "/* @teleloc 0x01020103 [30 -60 6] 1 0 0 0 */;\n"
+        "INSERT INTO `weenie_properties_generator` (`object_Id`, `probability`, `weenie_Class_Id`, "
+        "`delay`, `init_Create`, "
+        "`max_Create`, `when_Create`, `where_Create`, `stack_Size`, `palette_Id`, `shade`, "
+        "`obj_Cell_Id`, `origin_X`, "
+        "`origin_Y`, `origin_Z`, `angles_W`, `angles_X`, `angles_Y`, `angles_Z`) VALUES (5, 0.9, "
+        "14, 300, 1, 3, 1, 2, -1, "
+        "NULL, 0.5, 0, 1, 2, 3, 1, 0, 0, 0);\n");
     ASSERT_TRUE(content.has_value()) << content.error().message();
     Template expected;
     expected.id = 5;
@@ -118,6 +124,24 @@ TEST(Statements, readEveryMemberOfATemplate) {
     expected.type = 19;
     expected.name = "The 'Old' Gate";
     expected.setup = 0x02000001;
+    expected.itemType = 128;
+    expected.clothingPriority = 32;
+    expected.validLocations = 0x200000;
+    expected.combatStyle = 16;
+    expected.parentLocation = 3;
+    expected.placementPosition = 6;
+    expected.scriptIntensity = 0.125;
+    expected.eyesTexture = 0x05000011;
+    expected.noseTexture = 0x05000012;
+    expected.mouthTexture = 0x05000013;
+    expected.plainEyesTexture = 0x05000014;
+    expected.plainNoseTexture = 0x05000015;
+    expected.plainMouthTexture = 0x05000016;
+    expected.hairPalette = 0x04000017;
+    expected.eyesPalette = 0x04000018;
+    expected.skinPalette = 0x04000019;
+    expected.headObject = 0x0100001A;
+    expected.physicsScript = 87;
     expected.motionTable = 0x09000002;
     expected.paletteBase = 0x04000003;
     expected.clothingBase = 0x10000004;

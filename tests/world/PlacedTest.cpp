@@ -15,6 +15,8 @@ using testing::Not;
 
 const Door* findDoorAt(const World& world, dat::RecordId cell, std::uint32_t index) {
     for (const Door& door : world.doors) {
+        if (door.portal == kNone)
+            continue;
         const Portal& portal = world.portals[door.portal];
         if (world.spaces[portal.space].cellId == cell && portal.recordIndex == index)
             return &door;
@@ -233,6 +235,57 @@ TEST(LeafReach, holdsTheLeafAtEveryOpenness) {
         }
         EXPECT_LE(way, leafWay(world, leaf) + 1e-9);
     }
+}
+
+TEST(PlacedDoor, isLockedByItsRow) {
+    PlacedHut placed;
+    placed.placeDoors();
+    placed.hut.moving.placed[0].isLocked = true;
+    const World world = placed.hut.load();
+    EXPECT_TRUE(
+        findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.frontDoor.index)->locked);
+    EXPECT_FALSE(
+        findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.innerDoor.index)->locked);
+}
+
+/// The image of a door's first leaf.
+const Image& imageOf(const World& world, const Door& door) {
+    const Instance& leaf = world.movingParts[world.leaves[door.firstLeaf].body.firstPart];
+    return *world.textures.at(world.materials[world.materialRefs[leaf.firstMaterial]].texture);
+}
+
+TEST(PlacedDoor, hasTheColoursAndThePartsOfItsRow) {
+    PlacedHut placed;
+    dat::Palette red, blue;
+    red.id = 0x04000001;
+    blue.id = 0x04000002;
+    red.colours.assign(8, {0xFFFF0000u});
+    blue.colours.assign(8, {0xFF0000FFu});
+    placed.hut.source.portalFile().add(red);
+    placed.hut.source.portalFile().add(blue);
+    dat::RenderSurface image;
+    image.width = image.height = 2;
+    image.format = dat::PixelFormat::P8;
+    image.pixels = {0, 1, 2, 3};
+    image.defaultPalette = red.id;
+    placed.hut.source.picture("planks", image, dat::Surface::kBase1Image);
+    const std::uint32_t leaf =
+        placed.hut.source.addModel(test::boxExterior({-0.03, 0, 0}, {0.03, 1, 2}, "planks"));
+    placed.placeDoors();
+    for (PlacedEntry& door : placed.hut.moving.placed)
+        door.look.parts = {{0, leaf}}; // in place of the Setup's wooden one
+    placed.hut.moving.placed[0].look.colours = {{blue.id, 0, 8}};
+    const World world = placed.hut.load();
+    const Door* front = findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.frontDoor.index);
+    const Door* inner = findDoorAt(world, placed.hut.source.id(placed.hut.front), placed.hut.innerDoor.index);
+    ASSERT_TRUE(front != nullptr && inner != nullptr);
+    EXPECT_EQ(world.leaves[front->firstLeaf].model, leaf);
+    EXPECT_EQ(imageOf(world, *front).rgba[2], 255) << "blue";
+    EXPECT_EQ(imageOf(world, *inner).rgba[0], 255) << "red";
+    EXPECT_EQ(
+        world.materialRefs[world.movingParts[front->filling].firstMaterial],
+        world.materialRefs[world.movingParts[world.leaves[front->firstLeaf].body.firstPart].firstMaterial])
+        << "the margin beside the leaf has its colours";
 }
 
 TEST(PlacedThing, standsInItsCell) {

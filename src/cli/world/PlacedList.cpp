@@ -150,8 +150,16 @@ Json jsonOf(const Template& of) {
     putId(object, "palette_base", of.paletteBase);
     putId(object, "clothing_base", of.clothingBase);
     putId(object, "physics_effects", of.physicsEffects);
+    putId(object, "physics_script", of.physicsScript);
+    putId(object, "head", of.headObject);
+    putId(object, "hair_palette", of.hairPalette);
+    putId(object, "eyes_palette", of.eyesPalette);
+    putId(object, "skin_palette", of.skinPalette);
     put(object, "palette_template", of.paletteTemplate);
     put(object, "physics_state", of.physicsState);
+    put(object, "item_type", of.itemType);
+    put(object, "clothing_priority", of.clothingPriority);
+    put(object, "valid_locations", of.validLocations);
     put(object, "shade", of.shade);
     put(object, "scale", of.scale);
     put(object, "translucency", of.translucency);

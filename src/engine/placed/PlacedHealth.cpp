@@ -23,6 +23,12 @@ void compareEntry(const world::PlacedEntry& entry, const dat::Archive& archive, 
             return !archive.contains<dat::ClothingTable>(garment.table);
         }))
         lacks("a ClothingTable is not in the dat files");
+    if (std::any_of(entry.held.begin(), entry.held.end(),
+                    [&](const world::HeldEntry& held) { return !hasModel(archive, held.model); }))
+        lacks("the Setup of a held item is not in the dat files");
+    if (entry.play.kind != 0 && entry.scriptTable != 0 &&
+        !archive.contains<dat::PhysicsScriptTable>(entry.scriptTable))
+        lacks("its PhysicsScriptTable is not in the dat files");
 }
 
 /// Loads the block of some doors and counts those that hang in an opening.

@@ -1,12 +1,13 @@
 #include "engine/placed/PlacedObjects.h"
 
+#include "placements/Equipment.h"
 #include "placements/sql/Text.h"
 #include "world/Nearby.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -66,14 +67,14 @@ double scaleOf(const Template& of) {
 }
 
 /// The garment of a template's ClothingBase, if it has one.
-void addGarment(const Template& of, std::optional<std::int32_t> palette, std::optional<double> shade,
+void addGarment(const Template& of, std::optional<std::int32_t> palette, std::optional<float> shade,
                 std::vector<world::ClothingEntry>& out) {
     if (of.clothingBase == 0)
         return;
     const std::int32_t colours = palette.value_or(of.paletteTemplate.value_or(0));
     out.push_back({of.clothingBase,
                    colours > 0 ? static_cast<std::uint32_t>(colours) : 0,
-                   {shade.value_or(of.shade.value_or(0.0))}});
+                   {shade ? static_cast<double>(*shade) : of.shade.value_or(0.0)}});
 }
 
 world::LookEntry lookOf(const Template& of) {
@@ -88,6 +89,55 @@ world::LookEntry lookOf(const Template& of) {
     for (const placements::PartChange& change : of.parts)
         look.parts.push_back({change.part, change.model});
     return look;
+}
+
+/// The skin, hair and face that a template states. A texture without the plain one that it replaces has no effect.
+world::LookEntry faceOf(const Template& of) {
+    // Ranges of a person's palette, in colours, and the part of a person's Setup. Ref: the ACEmulator project.
+    constexpr std::uint32_t kSkinEnd = 192, kHairEnd = 256, kEyesEnd = 320, kHead = 16;
+    world::LookEntry look;
+    const auto colour = [&](std::uint32_t palette, std::uint32_t from, std::uint32_t end) {
+        if (palette != 0)
+            look.colours.push_back({palette, from, end - from});
+    };
+    colour(of.skinPalette, 0, kSkinEnd);
+    colour(of.hairPalette, kSkinEnd, kHairEnd);
+    colour(of.eyesPalette, kHairEnd, kEyesEnd);
+    const auto texture = [&](std::uint32_t plain, std::uint32_t own) {
+        if (plain != 0 && own != 0)
+            look.textures.push_back({kHead, plain, own});
+    };
+    texture(of.plainEyesTexture, of.eyesTexture);
+    texture(of.plainNoseTexture, of.noseTexture);
+    texture(of.plainMouthTexture, of.mouthTexture);
+    if (of.headObject != 0)
+        look.parts.push_back({kHead, of.headObject});
+    return look;
+}
+
+/// Puts an item on the body or into a hand.
+void addItem(const placements::EquippedItem& item, const Template& of, world::PlacedEntry& entry) {
+    if (!item.grip) {
+        addGarment(of, item.palette, item.shade, entry.clothing);
+        return;
+    }
+    world::HeldEntry held;
+    held.model = of.setup;
+    held.location = item.grip->location;
+    held.placement = item.grip->placement;
+    held.scale = scaleOf(of);
+    addGarment(of, item.palette, item.shade, held.clothing);
+    held.basePalette = of.paletteBase;
+    held.look = lookOf(of);
+    entry.held.push_back(std::move(held));
+}
+
+/// Chests, levers and other things without life.
+bool mayOpen(std::int32_t type) {
+    constexpr std::array kTypes{TemplateType::Generic, TemplateType::Chest, TemplateType::Container,
+                                TemplateType::PressurePlate, TemplateType::Switch};
+    return std::any_of(kTypes.begin(), kTypes.end(),
+                       [type](TemplateType each) { return type == static_cast<std::int32_t>(each); });
 }
 
 bool stopsBodies(const Template& of) {
@@ -119,17 +169,17 @@ world::PlacedEntry placedEntry(const placements::Standing& standing, const Templ
     entry.isOpen = of.open.value_or(of.defaultOpen.value_or(false));
     entry.stopsBodies = stopsBodies(of);
     entry.isOnGround = standing.isScattered;
-    addGarment(of, standing.palette, standing.shade ? std::optional<double>(*standing.shade) : std::nullopt,
-               entry.clothing);
-    for (const placements::CreatedItem& item : of.items) {
-        if ((item.destination & placements::CreatedItem::kWield) == 0)
-            continue;
-        if (const Template* worn = find(item.templateId))
-            addGarment(*worn, item.palette > 0 ? std::optional(item.palette) : std::nullopt,
-                       static_cast<double>(item.shade), entry.clothing);
-    }
+    addGarment(of, standing.palette, standing.shade, entry.clothing);
+    for (const placements::EquippedItem& item : equipmentOf(of, standing.id, find))
+        if (const Template* equipped = find(item.templateId))
+            addItem(item, *equipped, entry);
     entry.basePalette = of.paletteBase;
+    entry.beneath = faceOf(of);
     entry.look = lookOf(of);
+    entry.mayOpen = mayOpen(of.type);
+    entry.isLocked = of.locked.value_or(of.defaultLocked.value_or(false));
+    entry.scriptTable = of.physicsEffects;
+    entry.play = {of.physicsScript, of.scriptIntensity.value_or(1.0)};
     if (of.destination && of.type == static_cast<std::int32_t>(TemplateType::Portal))
         entry.travel = travelOf(*of.destination);
     return entry;
@@ -197,18 +247,19 @@ Result<std::vector<FoundObject>> PlacedObjects::search(const std::string& name, 
     return fault_.map([&] { return std::move(objects); });
 }
 
-Result<std::vector<Vec3>> PlacedObjects::positionsOf(placements::TemplateType type) const {
-    return database_.search({}, static_cast<std::int32_t>(type), std::numeric_limits<std::size_t>::max())
-        .map([](const std::vector<placements::Found>& found) {
-            std::vector<Vec3> positions;
-            positions.reserve(found.size());
-            for (const placements::Found& one : found)
-                positions.push_back(globalOf(one.placement.spot));
-            return positions;
-        });
+Result<std::vector<Vec3>> PlacedObjects::positionsOf(placements::TemplateType type,
+                                                     const std::function<bool()>& proceed) const {
+    std::vector<Vec3> positions;
+    return database_
+        .eachOfType(static_cast<std::int32_t>(type),
+                    [&](const placements::Spot& spot) {
+                        positions.push_back(globalOf(spot));
+                        return !proceed || proceed();
+                    })
+        .map([&] { return std::move(positions); });
 }
 
-Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& name) const {
+Result<std::vector<placements::Placement>> PlacedObjects::named(const std::string& name) const {
     constexpr std::size_t kMostFound = 1000;
     Result<std::vector<placements::Found>> found =
         database_.search(nameWithoutGuid(name), std::nullopt, kMostFound);
@@ -224,12 +275,33 @@ Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& nam
                      [&](const placements::Found& a, const placements::Found& b) {
                          return std::tuple(rank(a), a.placement.guid) < std::tuple(rank(b), b.placement.guid);
                      });
-    const std::lock_guard guard(lock_);
+    std::vector<placements::Placement> placements;
     for (const placements::Found& one : *found)
         if (rank(one) < 2 || nameWithoutGuid(name) == name)
-            if (std::optional<world::Place> view = viewOfPlacement(one.placement))
-                return view;
+            placements.push_back(one.placement);
+    return placements;
+}
+
+Result<std::optional<world::Place>> PlacedObjects::viewOf(const std::string& name) const {
+    const Result<std::vector<placements::Placement>> candidates = named(name);
+    if (!candidates)
+        return Failure(candidates.error());
+    const std::lock_guard guard(lock_);
+    for (const placements::Placement& placement : *candidates)
+        if (std::optional<world::Place> view = viewOfPlacement(placement))
+            return view;
     return fault_.map([] { return std::optional<world::Place>(); });
+}
+
+Result<std::optional<Vec3>> PlacedObjects::positionOf(const std::string& name) const {
+    const Result<std::vector<placements::Placement>> candidates = named(name);
+    if (!candidates)
+        return Failure(candidates.error());
+    const std::lock_guard guard(lock_);
+    for (const placements::Placement& placement : *candidates)
+        if (viewOfPlacement(placement))
+            return std::optional(globalOf(placement.spot));
+    return fault_.map([] { return std::optional<Vec3>(); });
 }
 
 Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::PlacedEntry>& out) const {
@@ -238,6 +310,9 @@ Result<void> PlacedObjects::addBlock(dat::BlockCoord block, std::vector<world::P
     if (!landblock)
         return Failure(landblock.error());
     const std::lock_guard guard(lock_);
+    constexpr std::size_t kMostTemplates = 4096; // some MiB; pointers to them are not kept between blocks
+    if (templates_.size() > kMostTemplates)
+        templates_.clear();
     const placements::FindTemplate findTemplate = [this](std::uint32_t id) { return find(id); };
     for (const placements::Standing& standing : standingIn(*landblock, findTemplate))
         if (const Template* of = find(standing.templateId))

@@ -5,6 +5,7 @@
 #include "world/Loader.h"
 #include "world/Places.h"
 
+#include <functional>
 #include <map>
 #include <mutex>
 
@@ -37,7 +38,10 @@ public:
     /// there is no such object. Errors: a damaged database.
     [[nodiscard]] Result<std::optional<world::Place>> viewOf(const std::string& name) const;
 
-    /// The same of the object with a guid.
+    /// The position of the object that viewOf() looks at.
+    [[nodiscard]] Result<std::optional<Vec3>> positionOf(const std::string& name) const;
+
+    /// The same view of the object with a guid.
     [[nodiscard]] Result<std::optional<world::Place>> viewOf(std::uint32_t guid) const;
 
     /// Visible objects whose template's name contains a text, at most `limit`, the nearest to `from` first (global, metres,
@@ -45,12 +49,16 @@ public:
     [[nodiscard]] Result<std::vector<FoundObject>> search(const std::string& name, const Vec3& from,
                                                           std::size_t limit) const;
 
-    /// The position of every placed object of a type, visible or not, global. Errors: a damaged database.
-    [[nodiscard]] Result<std::vector<Vec3>> positionsOf(placements::TemplateType type) const;
+    /// The position of every placed object of a type, visible or not, global, in any order. `proceed` is called for each; false
+    /// ends the reading. Errors: a damaged database.
+    [[nodiscard]] Result<std::vector<Vec3>> positionsOf(placements::TemplateType type,
+                                                        const std::function<bool()>& proceed = {}) const;
 
     [[nodiscard]] const placements::WorldDb& database() const { return database_; }
 
 private:
+    /// The objects with a name, as viewOf() describes it, the best one first; visible or not.
+    [[nodiscard]] Result<std::vector<placements::Placement>> named(const std::string& name) const;
     /// Requires the lock. None: it is not visible.
     [[nodiscard]] std::optional<world::Place> viewOfPlacement(const placements::Placement& placement) const;
     [[nodiscard]] Result<void> addBlock(dat::BlockCoord block, std::vector<world::PlacedEntry>& out) const;

@@ -1,6 +1,7 @@
 #include "placements/store/ContentHash.h"
 
 #include "core/Hash.h"
+#include "placements/TemplateFields.h"
 
 namespace limen::placements {
 namespace {
@@ -93,16 +94,14 @@ std::uint64_t hashOf(const Template& of) {
     addText(hash, of.className);
     hash.add(of.type);
     addText(hash, of.name);
-    for (const std::uint32_t id :
-         {of.setup, of.motionTable, of.paletteBase, of.clothingBase, of.physicsEffects})
-        hash.add(id);
-    for (const auto& value : {of.paletteTemplate, of.physicsState, of.maxGenerated, of.initGenerated})
-        addOptional(hash, value);
-    for (const auto& value : {of.shade, of.scale, of.translucency, of.generatorRadius})
-        addOptional(hash, value);
-    for (const auto& value :
-         {of.open, of.locked, of.ethereal, of.visibility, of.defaultOpen, of.defaultLocked, of.noDraw})
-        addOptional(hash, value);
+    for (const auto& field : kIdFields)
+        hash.add(of.*(field.member));
+    for (const auto& field : kIntFields)
+        addOptional(hash, of.*(field.member));
+    for (const auto& field : kRealFields)
+        addOptional(hash, of.*(field.member));
+    for (const auto& field : kBoolFields)
+        addOptional(hash, of.*(field.member));
     addList(hash, of.palettes);
     addList(hash, of.textures);
     addList(hash, of.parts);

@@ -1,5 +1,7 @@
 #include "placements/store/ContentWriter.h"
 
+#include "placements/TemplateFields.h"
+
 namespace limen::placements {
 namespace {
 
@@ -64,7 +66,8 @@ const std::array<const char*, ContentWriter::StatementCount> ContentWriter::kSta
     "INSERT INTO landblock VALUES(?,?)",
     "INSERT INTO placement VALUES(?,?,?,?,?,?,?,?,?,?,?,?)",
     "INSERT INTO link VALUES(?,?,?)",
-    "INSERT INTO template VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)",
+    "INSERT INTO template VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,"
+    "?,?,?,?,?,?,?,?,?,?,?,?,?)",
     "INSERT INTO template_palette VALUES(?,?,?,?,?)",
     "INSERT INTO template_texture VALUES(?,?,?,?,?)",
     "INSERT INTO template_part VALUES(?,?,?,?)",
@@ -180,16 +183,14 @@ Result<void> ContentWriter::addRow(const Template& of, std::uint64_t hash) {
     query.bind(3, of.type);
     query.bindText(4, of.name);
     int next = 5;
-    for (const std::uint32_t id :
-         {of.setup, of.motionTable, of.paletteBase, of.clothingBase, of.physicsEffects})
-        query.bind(next++, id);
-    for (const auto& value : {of.paletteTemplate, of.physicsState, of.maxGenerated, of.initGenerated})
-        bindOptional(query, next++, value);
-    for (const auto& value : {of.shade, of.scale, of.translucency, of.generatorRadius})
-        bindOptional(query, next++, value);
-    for (const auto& value :
-         {of.open, of.locked, of.ethereal, of.visibility, of.defaultOpen, of.defaultLocked, of.noDraw})
-        bindOptional(query, next++, value);
+    for (const auto& field : kIdFields)
+        query.bind(next++, of.*(field.member));
+    for (const auto& field : kIntFields)
+        bindOptional(query, next++, of.*(field.member));
+    for (const auto& field : kRealFields)
+        bindOptional(query, next++, of.*(field.member));
+    for (const auto& field : kBoolFields)
+        bindOptional(query, next++, of.*(field.member));
     return query.execute();
 }
 

@@ -1,3 +1,4 @@
+#include "placements/TemplateFields.h"
 #include "placements/WorldDb.h"
 #include "placements/store/Schema.h"
 #include "placements/store/Sqlite.h"
@@ -68,16 +69,14 @@ Template templateAt(const Query& query) {
     of.type = integerAt<std::int32_t>(query, 3);
     of.name = query.text(4);
     int next = 5;
-    for (std::uint32_t* id :
-         {&of.setup, &of.motionTable, &of.paletteBase, &of.clothingBase, &of.physicsEffects})
-        *id = integerAt<std::uint32_t>(query, next++);
-    for (auto* value : {&of.paletteTemplate, &of.physicsState, &of.maxGenerated, &of.initGenerated})
-        readOptional(query, next++, *value);
-    for (auto* value : {&of.shade, &of.scale, &of.translucency, &of.generatorRadius})
-        readOptional(query, next++, *value);
-    for (auto* value :
-         {&of.open, &of.locked, &of.ethereal, &of.visibility, &of.defaultOpen, &of.defaultLocked, &of.noDraw})
-        readOptional(query, next++, *value);
+    for (const auto& field : kIdFields)
+        of.*(field.member) = integerAt<std::uint32_t>(query, next++);
+    for (const auto& field : kIntFields)
+        readOptional(query, next++, of.*(field.member));
+    for (const auto& field : kRealFields)
+        readOptional(query, next++, of.*(field.member));
+    for (const auto& field : kBoolFields)
+        readOptional(query, next++, of.*(field.member));
     return of;
 }
 
@@ -305,6 +304,23 @@ Result<std::vector<Found>> WorldDb::search(const std::string& name, std::optiona
         if (!*row)
             return found;
         found.push_back({placementAt(*query), query->text(11), integerAt<std::int32_t>(*query, 12)});
+    }
+}
+
+Result<void> WorldDb::eachOfType(std::int32_t type, const std::function<bool(const Spot&)>& visit) const {
+    const std::lock_guard guard(open_->lock);
+    Result<Query> query =
+        open_->file.prepare("SELECT p.cell, p.x, p.y, p.z, p.qw, p.qx, p.qy, p.qz FROM template t CROSS JOIN "
+                            "placement p ON t.id = p.template WHERE t.type = ?");
+    if (!query)
+        return Failure(query.error());
+    query->bind(0, type);
+    for (;;) {
+        const Result<bool> row = query->step();
+        if (!row)
+            return Failure(row.error());
+        if (!*row || !visit(spotAt(*query, 0)))
+            return {};
     }
 }
 

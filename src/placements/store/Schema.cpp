@@ -20,8 +20,14 @@ CREATE TABLE template(
     class_name TEXT NOT NULL, type INTEGER NOT NULL, name TEXT NOT NULL,
     setup INTEGER NOT NULL, motion_table INTEGER NOT NULL, palette_base INTEGER NOT NULL,
     clothing_base INTEGER NOT NULL, physics_effects INTEGER NOT NULL,
+    eyes_texture INTEGER NOT NULL, nose_texture INTEGER NOT NULL, mouth_texture INTEGER NOT NULL,
+    plain_eyes_texture INTEGER NOT NULL, plain_nose_texture INTEGER NOT NULL,
+    plain_mouth_texture INTEGER NOT NULL, hair_palette INTEGER NOT NULL, eyes_palette INTEGER NOT NULL,
+    skin_palette INTEGER NOT NULL, head_object INTEGER NOT NULL, physics_script INTEGER NOT NULL,
     palette_template INTEGER, physics_state INTEGER, max_generated INTEGER, init_generated INTEGER,
-    shade REAL, scale REAL, translucency REAL, generator_radius REAL,
+    item_type INTEGER, clothing_priority INTEGER, valid_locations INTEGER, combat_style INTEGER,
+    parent_location INTEGER, placement_position INTEGER,
+    shade REAL, scale REAL, translucency REAL, generator_radius REAL, script_intensity REAL,
     open INTEGER, locked INTEGER, ethereal INTEGER, visibility INTEGER, default_open INTEGER,
     default_locked INTEGER, no_draw INTEGER);
 CREATE TABLE template_palette(

@@ -38,14 +38,16 @@ constexpr std::array<MarkKind, 3> kMarkKinds{{
 void MapPage::takeMap(const MapFacts& facts) {
     if (source_ != facts.source) {
         work_.reset();
+        reading_.reset();
         map_.reset();
         places_.clear();
         source_ = facts.source;
         revision_ = 0;
         isFitted_ = false;
-        takeMarks();
+        beginMarks();
         work_ = std::make_unique<engine::MapInBackground>(source_);
     }
+    takeMarks();
     if (std::shared_ptr<const engine::LandscapeMap> changed = work_->since(revision_)) {
         map_ = std::move(changed);
         texture_.write(*map_);
@@ -53,12 +55,22 @@ void MapPage::takeMap(const MapFacts& facts) {
     }
 }
 
-void MapPage::takeMarks() {
+void MapPage::beginMarks() {
     static_assert(kMarkKinds.size() == kMarkKindCount);
     marks_ = {};
-    for (std::size_t kind = 0; kind < kMarkKinds.size() && source_->placed != nullptr; ++kind)
-        if (Result<std::vector<Vec3>> at = source_->placed->positionsOf(kMarkKinds[kind].type))
-            marks_[kind].points.assign(at->begin(), at->end());
+    std::vector<placements::TemplateType> types;
+    for (const MarkKind& kind : kMarkKinds)
+        types.push_back(kind.type);
+    reading_ = std::make_unique<engine::MarksInBackground>(source_, std::move(types));
+}
+
+void MapPage::takeMarks() {
+    const auto read = reading_ != nullptr ? reading_->take() : nullptr;
+    if (read == nullptr)
+        return;
+    for (std::size_t kind = 0; kind < kMarkKindCount; ++kind)
+        marks_[kind].points = (*read)[kind];
+    reading_.reset();
 }
 
 MapChoice MapPage::draw(Ui& ui, const MapFacts& facts, bool isNew) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/map/MapInBackground.h"
+#include "engine/map/MarksInBackground.h"
 #include "engine/map/PlacesOnMap.h"
 #include "viewer/map/MapTexture.h"
 #include "viewer/map/MapView.h"
@@ -38,16 +39,21 @@ public:
     /// last frame; the view then starts around the eye.
     [[nodiscard]] MapChoice draw(Ui& ui, const MapFacts& facts, bool isNew);
 
-    /// For `--tell`: the view, the text under the cursor, whether all blocks are painted and shown.
+    /// For `--tell`: the view, the text under the cursor, whether all blocks and marks are shown.
     [[nodiscard]] const MapView& view() const { return view_; }
     [[nodiscard]] const ScreenBox& box() const { return box_; }
     [[nodiscard]] const std::string& pointed() const { return pointed_; }
-    [[nodiscard]] bool isPainted() const { return work_ != nullptr && work_->isDone() && isFitted_; }
+    [[nodiscard]] bool isPainted() const {
+        return work_ != nullptr && work_->isDone() && reading_ == nullptr && isFitted_;
+    }
 
 private:
     void takeMap(const MapFacts& facts);
     void drawMap(Ui& ui, const MapFacts& facts, MapChoice& choice);
     void drawMarks(const MapFacts& facts);
+    /// Begins to read the marks of the world.
+    void beginMarks();
+    /// Takes them when they are read.
     void takeMarks();
     void drawObjects();
     void drawSwitches(Ui& ui);
@@ -66,7 +72,8 @@ private:
         bool isShown = true;
     };
     static constexpr std::size_t kMarkKindCount = 3;
-    std::array<Marks, kMarkKindCount> marks_; ///< portals, lifestones, doors
+    std::array<Marks, kMarkKindCount> marks_;            ///< portals, lifestones, doors
+    std::unique_ptr<engine::MarksInBackground> reading_; ///< null: all are read
     std::vector<engine::PlaceOnMap> places_;
     std::uint64_t revision_ = 0;
     MapTexture texture_;

@@ -46,6 +46,7 @@ struct PanelFacts {
     const motion::BodyState* body;        ///< null: the eye flies
     const world::Door* door;              ///< the door in reach; null: none
     bool doorOpens;                       ///< the door is open or opening
+    bool isRefused;                       ///< it was just used, and stays shut because it is locked
     const engine::Picked* picked;         ///< the inspected object; null: none
     const ViewVerdict* verdict;           ///< the check of exactly this view; null: none
     const FrozenFlood* frozen;            ///< the frozen flood, drawn over the picture; null: none

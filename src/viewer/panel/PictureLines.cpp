@@ -1,4 +1,5 @@
 #include "engine/map/PlacesOnMap.h"
+#include "engine/placed/PlacedObjects.h"
 #include "output/RegionOverlay.h"
 #include "viewer/panel/PanelParts.h"
 
@@ -98,11 +99,15 @@ void drawNames(std::span<const NameTag> names) {
 }
 
 void drawDoor(const PanelFacts& facts) {
-    if (facts.door != nullptr)
-        drawBanner("##door",
-                   fmt::format("{}   {} the door", keysText(facts.bindings, Action::Use),
-                               facts.doorOpens ? "close" : "open"),
-                   false);
+    if (facts.door == nullptr)
+        return;
+    const bool isThing = facts.door->portal == world::kNone; // a chest or a lever has a name for people
+    const std::string name = isThing ? engine::nameWithoutGuid(facts.door->name) : "the door";
+    drawBanner("##door",
+               facts.isRefused ? fmt::format("{} is locked", isThing ? name : "The door")
+                               : fmt::format("{}   {} {}", keysText(facts.bindings, Action::Use),
+                                             facts.doorOpens ? "close" : "open", name),
+               false);
 }
 
 void drawNotice(const std::string& text) {

@@ -58,7 +58,8 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
     TerrainAssembler terrain(region, materials, arena, world);
     StructureAssembler structures(runs, arena, world);
     ObjectAssembler objects(idle, particles, models, runs, arena, world);
-    PlacedAssembler placed(moving.placed, records, objects, world);
+    UsableAssembler usables(records, models, bodies, world);
+    PlacedAssembler placed(moving.placed, records, objects, usables, world);
     while (const std::shared_ptr<const BlockContent> content = nextBlock()) {
         records.report(content->recordFindings);
         const JoiningBlock block = spaces.add(*content);

@@ -10,7 +10,7 @@ namespace limen::world {
 MovingBody BodyAssembler::add(dat::RecordId modelId, InstanceKind kind, std::uint64_t object,
                               const BodyOptions& options) {
     const Dress& dress = options.dress;
-    const Model model = dress.parts.empty() ? models_.model(modelId) : models_.dressed(modelId, dress);
+    const Model model = dress.changesModel() ? models_.dressed(modelId, dress) : models_.model(modelId);
     const bool isFilling = kind == InstanceKind::Filling;
     const bool nearestOnly = isFilling || options.isAlwaysNear;
     MovingBody body;
@@ -29,13 +29,14 @@ MovingBody BodyAssembler::add(dat::RecordId modelId, InstanceKind kind, std::uin
         instance.bounds = world_.meshes[instance.mesh].bounds;
         instance.object = object;
         instance.record = part.gfxObj;
-        instance.firstMaterial = materials_.ofDressedPart(*mesh, part.part, dress);
+        instance.firstMaterial = materials_.ofDressedPart(*mesh, part.part, dressOf(part, dress));
         instance.facing = isFilling ? Facing::Fixed : part.facing;
         if (!nearestOnly)
             instance.level =
                 addLevel({levelRangeOf(part.band, part.scale.z * options.scale), {}, {}}, world_);
         world_.movingParts.push_back(instance);
-        posed.push_back({part.part, part.scale});
+        posed.push_back(
+            {part.posedBy, part.scale, part.held != kNone, {part.grip.orientation, part.grip.origin}});
     }
     body.partCount = static_cast<std::uint32_t>(world_.movingParts.size()) - body.firstPart;
     if (!isFilling)

@@ -22,14 +22,14 @@ Sphere sphereAround(std::span<const Sphere> spheres) {
     return all;
 }
 
-/// The sphere of a part's mesh with the part's scale, in part space.
+/// The sphere of a part's mesh with the part's scale, in the space of the Setup's part that poses it.
 Sphere sphereOf(const World& world, const Instance& part, const PosedPart& posed) {
     const Sphere& mesh = world.meshes[part.mesh].bounds;
     const Vec3 scale = glm::abs(posed.scale);
     const double most = std::max({scale.x, scale.y, scale.z});
     if (part.facing != Facing::Fixed) // in every turn
-        return {Vec3(0.0), (glm::length(mesh.centre) + mesh.radius) * most};
-    return {posed.scale * mesh.centre, mesh.radius * most};
+        return {posed.grip.origin, (glm::length(mesh.centre) + mesh.radius) * most};
+    return {posed.grip.origin + posed.grip.orientation * (posed.scale * mesh.centre), mesh.radius * most};
 }
 
 /// Between two frames, a point at `distance` from a part's origin moves on an arc. This is the arc's greatest

@@ -27,8 +27,9 @@ std::uint32_t lowOf(const dat::AnimationRange& range, std::uint32_t frameCount) 
     return static_cast<std::uint32_t>(std::clamp<std::int64_t>(range.low, 0, std::int64_t{frameCount} - 1));
 }
 
-bool isNear(const PartFrame& frame, const PosedPart& posed, const Instance& resting) {
+bool isNear(const PartFrame& of, const PosedPart& posed, const Instance& resting) {
     constexpr double kNear = 1e-4; // metres for the origin, and a difference of unit vectors for the axes
+    const PartFrame frame = posedAt(of, posed);
     Mat3 linear = glm::mat3_cast(frame.orientation);
     bool near = glm::length(frame.origin - Vec3(resting.origin)) < kNear;
     for (int axis = 0; axis < 3; ++axis)

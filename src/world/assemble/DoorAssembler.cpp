@@ -83,7 +83,7 @@ void DoorAssembler::add(const DoorEntry& entry, std::size_t index) {
 }
 
 void DoorAssembler::addPlaced(Door door, std::uint64_t object) {
-    LIMEN_ASSERT(door.portal < world_.portals.size(), "a door fills a portal of the world");
+    LIMEN_ASSERT(door.portal < world_.portals.size(), "a door of a database hangs in a portal of the world");
     if (door.opaque && world_.portals[door.portal].cornerCount >= 3)
         door.filling = addFilling(door, object);
     world_.doors.push_back(std::move(door));

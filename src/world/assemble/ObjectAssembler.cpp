@@ -27,7 +27,7 @@ void ObjectAssembler::add(const JoiningBlock& block) {
 
 void ObjectAssembler::addObject(const PlacedModel& object, const ObjectSite& site) {
     // A model with other meshes is read anew; all others are shared.
-    const bool hasParts = object.dress != nullptr && !object.dress->parts.empty();
+    const bool hasParts = object.dress != nullptr && object.dress->changesModel();
     const Model dressed = hasParts ? models_.dressed(object.model, *object.dress) : Model();
     const Model& model = hasParts ? dressed : models_.model(object.model);
     const Mat3 linear = glm::mat3_cast(object.orientation) * object.scale;
@@ -35,8 +35,14 @@ void ObjectAssembler::addObject(const PlacedModel& object, const ObjectSite& sit
     const std::uint32_t idle = idle_.add(object, site);
     if (idle == kNone)
         addStatic(object, model, placedSphere(model.bounds, linear, origin), site);
+    addEffects(object, idle, site);
+}
+
+void ObjectAssembler::addEffects(const PlacedModel& object, std::uint32_t idle, const ObjectSite& site) {
+    const Mat3 linear = glm::mat3_cast(object.orientation) * object.scale;
+    const Vec3 origin = site.blockOrigin + object.origin;
     particles_.addToObject(object, idle, site);
-    for (const ModelLight& light : model.lights)
+    for (const ModelLight& light : models_.model(object.model).lights)
         lamps_.push_back(
             {{origin + linear * light.position, light.colour, light.intensity, light.falloff}, site.space});
 }
@@ -70,7 +76,7 @@ void ObjectAssembler::addPart(const PlacedModel& object, const ModelPart& part, 
     instance.object = object.object;
     instance.record = part.gfxObj;
     instance.firstMaterial = object.dress != nullptr
-                                 ? materials_.ofDressedPart(*mesh, part.part, *object.dress)
+                                 ? materials_.ofDressedPart(*mesh, part.part, dressOf(part, *object.dress))
                                  : materials_.ofPart(*mesh);
     instance.facing = part.facing;
     if (part.facing != Facing::Fixed) // around its origin, for every turn

@@ -17,6 +17,8 @@ public:
 
     void add(const JoiningBlock& block);
     void addObject(const PlacedModel& object, const ObjectSite& site);
+    /// The object's lamps and particle sources alone. `idle`: its index in World::idleObjects; kNone if it does not move.
+    void addEffects(const PlacedModel& object, std::uint32_t idle, const ObjectSite& site);
 
     /// The objects whose members are not found yet.
     [[nodiscard]] std::span<const ObjectGroup> groups() const { return groups_; }

@@ -65,6 +65,18 @@ std::vector<EmitterStart> ParticleAssembler::startsOf(const dat::Setup& setup,
     return starts;
 }
 
+void ParticleAssembler::addPlayed(const PlayEntry& play, dat::RecordId tableId, const dat::Setup& setup,
+                                  std::uint64_t seed, std::vector<EmitterStart>& starts) {
+    const dat::PhysicsScriptTable* table =
+        play.kind != 0 && tableId != 0 ? records_.physicsScriptTable(tableId) : nullptr;
+    const dat::RecordId script =
+        table != nullptr ? chooseScript(*table, play.kind, static_cast<float>(play.intensity)) : 0;
+    if (script == 0)
+        return;
+    const std::vector<EmitterStart> played = starts_.ofScript(script, setup, seed);
+    starts.insert(starts.end(), played.begin(), played.end());
+}
+
 void ParticleAssembler::addToObject(const PlacedModel& object, std::uint32_t idle, const ObjectSite& site) {
     const dat::Setup* setup = isSetup(object.model) ? records_.setup(object.model) : nullptr;
     if (setup == nullptr)
@@ -72,8 +84,11 @@ void ParticleAssembler::addToObject(const PlacedModel& object, std::uint32_t idl
     LIMEN_ASSERT(idle == kNone || idle < world_.idleObjects.size(), "the object is in the world");
     const std::uint32_t standing[] = {
         cycles_.of(object.model, object.motionTable)[static_cast<std::size_t>(Gait::Stand)]};
+    std::vector<EmitterStart> starts = startsOf(*setup, standing, object.object);
+    addPlayed(object.play, object.scriptTable != 0 ? object.scriptTable : setup->scriptTable, *setup,
+              object.object, starts);
     std::size_t number = 0;
-    for (const EmitterStart& start : startsOf(*setup, standing, object.object)) {
+    for (const EmitterStart& start : starts) {
         ParticleSource source;
         source.idle = idle;
         source.seed = seedOf(object.object, number++);
@@ -97,14 +112,7 @@ void ParticleAssembler::addToVillager(std::uint32_t villager, dat::RecordId mode
     LIMEN_ASSERT(villager < world_.villagers.size(), "the villager is in the world");
     const std::uint64_t seed = dynamicObject(DynamicObject::Villager, villager);
     std::vector<EmitterStart> starts = startsOf(*setup, world_.villagers[villager].body.cycles, seed);
-    const dat::PhysicsScriptTable* table =
-        play.kind != 0 && setup->scriptTable != 0 ? records_.physicsScriptTable(setup->scriptTable) : nullptr;
-    const dat::RecordId script =
-        table != nullptr ? chooseScript(*table, play.kind, static_cast<float>(play.intensity)) : 0;
-    if (script != 0) {
-        const std::vector<EmitterStart> played = starts_.ofScript(script, *setup, seed);
-        starts.insert(starts.end(), played.begin(), played.end());
-    }
+    addPlayed(play, setup->scriptTable, *setup, seed, starts);
     std::size_t number = 0;
     for (const EmitterStart& start : starts) {
         ParticleSource source;

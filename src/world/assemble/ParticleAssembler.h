@@ -32,6 +32,10 @@ private:
     [[nodiscard]] std::vector<EmitterStart>
     startsOf(const dat::Setup& setup, std::span<const std::uint32_t> cycles, std::uint64_t seed);
 
+    /// Adds the starts of the script of a table that plays from the start, if there is one.
+    void addPlayed(const PlayEntry& play, dat::RecordId tableId, const dat::Setup& setup, std::uint64_t seed,
+                   std::vector<EmitterStart>& starts);
+
     Records& records_;
     ParticleStyleAssembler& styles_;
     Cycles& cycles_;

@@ -2,6 +2,7 @@
 
 #include "world/Ground.h"
 #include "world/Lookup.h"
+#include "world/assemble/PlacedLook.h"
 
 #include <algorithm>
 #include <tuple>
@@ -15,21 +16,9 @@ std::pair<int, int> keyOf(dat::BlockCoord block) {
 
 } // namespace
 
-Dress dressOf(const PlacedEntry& entry, Records& records) {
-    Dress dress = dressOf(entry.model, {entry.clothing, entry.basePalette}, records);
-    for (const LookEntry::Part& change : entry.look.parts)
-        if (change.gfxObj != 0 && records.gfxObj(change.gfxObj) != nullptr)
-            dress.parts[change.part].gfxObj = change.gfxObj;
-    for (const LookEntry::Texture& change : entry.look.textures)
-        dress.parts[change.part].textures.push_back({change.from, change.to});
-    for (const LookEntry::Colours& change : entry.look.colours)
-        dress.overlays.push_back({change.palette, change.offset, change.count});
-    return dress;
-}
-
 PlacedAssembler::PlacedAssembler(std::span<const PlacedEntry> entries, Records& records,
-                                 ObjectAssembler& objects, World& world)
-    : records_(records), objects_(objects), world_(world) {
+                                 ObjectAssembler& objects, UsableAssembler& usables, World& world)
+    : records_(records), objects_(objects), usables_(usables), world_(world) {
     for (const PlacedEntry& entry : entries)
         entries_.push_back(&entry);
     std::stable_sort(entries_.begin(), entries_.end(), [](const PlacedEntry* a, const PlacedEntry* b) {
@@ -110,8 +99,13 @@ void PlacedAssembler::addThing(const PlacedEntry& entry, const ObjectSite& site)
     object.scale = entry.scale;
     object.motionTable = entry.motionTable;
     object.opacity = entry.opacity;
+    object.scriptTable = entry.scriptTable;
+    object.play = entry.play;
     object.dress = dress.empty() ? nullptr : &dress;
-    objects_.addObject(object, site);
+    if (usables_.add(entry, site.blockOrigin + object.origin, dress, site))
+        objects_.addEffects(object, kNone, site);
+    else
+        objects_.addObject(object, site);
 }
 
 void PlacedAssembler::addDoors(PlacedDoorAssembler& doors) {

@@ -3,17 +3,15 @@
 #include "world/PlacedEntry.h"
 #include "world/assemble/ObjectAssembler.h"
 #include "world/assemble/PlacedDoorAssembler.h"
+#include "world/assemble/UsableAssembler.h"
 
 namespace limen::world {
-
-/// The look of a placed object: its clothes, then the changes of its own.
-[[nodiscard]] Dress dressOf(const PlacedEntry& entry, Records& records);
 
 /// Adds the objects of a world database to a World: things with the block that they belong to, doors after all blocks.
 class PlacedAssembler {
 public:
     PlacedAssembler(std::span<const PlacedEntry> entries, Records& records, ObjectAssembler& objects,
-                    World& world);
+                    UsableAssembler& usables, World& world);
 
     /// Adds the things of a block, and keeps its doors for addDoors(). An object in a cell that the block lacks is left out,
     /// with a finding.
@@ -40,6 +38,7 @@ private:
     std::vector<const PlacedEntry*> entries_; ///< by block
     Records& records_;
     ObjectAssembler& objects_;
+    UsableAssembler& usables_;
     World& world_;
     std::vector<WaitingDoor> waiting_;
 };

@@ -3,7 +3,7 @@
 #include "world/PlacedEntry.h"
 #include "world/assemble/DoorAssembler.h"
 #include "world/assemble/DoorOpening.h"
-#include "world/records/DoorMotion.h"
+#include "world/assemble/DoorParts.h"
 
 namespace limen::world {
 
@@ -23,24 +23,17 @@ public:
     void finish();
 
 private:
-    /// One part of a door, in its poses from shut to open.
-    struct Part {
-        dat::RecordId gfxObj = 0;
-        Vec3 scale{1.0};
-        std::vector<LeafKey> keys; ///< global
-    };
     /// The doors of one opening.
     struct Hung {
         PortalIndex portal = kNone;
         std::vector<const PlacedEntry*> entries;
-        std::vector<Part> parts;
+        std::vector<DoorPart> parts;
         double seconds = 0.0;
     };
-    [[nodiscard]] std::vector<Part> partsOf(const PlacedEntry& entry, double& seconds);
-    [[nodiscard]] DoorBox boxOf(const PlacedEntry& entry, const std::vector<Part>& parts);
+    [[nodiscard]] DoorBox boxOf(const PlacedEntry& entry, const std::vector<DoorPart>& parts);
     /// Calls visit(point) with each vertex of the shut door, global.
     template <class Visit>
-    void eachVertex(const Part& part, Visit&& visit);
+    void eachVertex(const DoorPart& part, Visit&& visit);
     [[nodiscard]] bool isOpaque(const Hung& hung);
     void addDoor(const Hung& hung);
 

@@ -65,6 +65,8 @@ struct PlacedModel {
     dat::RecordId motionTable = 0; ///< 0: that of the Setup
     double opacity = 1.0;          ///< below 1 all of its surfaces are blended
     const Dress* dress = nullptr;  ///< null: none; outlives the call that adds the object
+    dat::RecordId scriptTable = 0; ///< 0: that of the Setup
+    PlayEntry play{};
 };
 
 /// The content of one landblock in its own frame and with its own indices. It does not depend on other

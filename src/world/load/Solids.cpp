@@ -88,6 +88,8 @@ public:
         const Membership membership(world_);
         for (std::uint32_t d = 0; d < world_.doors.size(); ++d) {
             const Door& door = world_.doors[d];
+            if (door.portal == kNone)
+                continue; // a thing that opens: the solid of its Setup stays as it is
             const Portal& portal = world_.portals[door.portal];
             if (portal.destination != kNone && portal.vertexCount >= 3)
                 addFilling(d, portal);

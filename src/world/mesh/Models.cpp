@@ -146,10 +146,42 @@ void Models::addPart(Model& model, const ModelPart& posed) {
     }
 }
 
+const Dress& dressOf(const ModelPart& part, const Dress& dress) {
+    if (part.held == kNone)
+        return dress;
+    LIMEN_ASSERT(part.held < dress.held.size(), "the model was read in this dress");
+    return *dress.held[part.held].dress;
+}
+
+void Models::addHeld(Model& model, const dat::Setup& holder, const HeldThing& thing, std::uint32_t number) {
+    const dat::Setup* setup = records_.setup(thing.model);
+    if (setup == nullptr)
+        return;
+    const Pose carrier = thing.part != kNone ? restOf(holder, thing.part) : Pose();
+    for (std::size_t i = 0; i < setup->parts.size(); ++i) {
+        ModelPart part;
+        part.part = static_cast<std::uint32_t>(i);
+        const DressedPart* worn = thing.dress->part(part.part);
+        part.gfxObj = worn != nullptr && worn->gfxObj != 0 ? worn->gfxObj : setup->parts[i];
+        Pose inThing = placedPartOf(*setup, thing.placement, i);
+        inThing.origin *= thing.scale;
+        part.grip = thing.at.of(inThing);
+        part.scale = scaleOf(*setup, i) * thing.scale;
+        const Pose pose = carrier.of(part.grip);
+        part.origin = pose.origin;
+        part.linear = glm::mat3_cast(pose.orientation);
+        for (int axis = 0; axis < 3; ++axis)
+            part.linear[axis] *= part.scale[axis];
+        part.held = number;
+        part.posedBy = thing.part;
+        addPart(model, part);
+    }
+}
+
 Model Models::read(dat::RecordId id, const Dress* dress) {
     Model model;
     if (isGfxObj(id)) {
-        addPart(model, {id, Mat3(1.0), Vec3(0.0), {}, Facing::Fixed, 0, Vec3(1.0)});
+        addPart(model, {id, Mat3(1.0), Vec3(0.0), {}, Facing::Fixed, 0, Vec3(1.0), kNone, 0, {}});
     } else if (const dat::Setup* setup = records_.setup(id)) {
         for (std::size_t i = 0; i < setup->parts.size(); ++i) {
             const Pose pose = restOf(*setup, i);
@@ -161,8 +193,11 @@ Model Models::read(dat::RecordId id, const Dress* dress) {
             const DressedPart* worn = dress != nullptr ? dress->part(number) : nullptr;
             const dat::RecordId gfxObj =
                 worn != nullptr && worn->gfxObj != 0 ? worn->gfxObj : setup->parts[i];
-            addPart(model, {gfxObj, linear, pose.origin, {}, Facing::Fixed, number, scale});
+            addPart(model,
+                    {gfxObj, linear, pose.origin, {}, Facing::Fixed, number, scale, kNone, number, {}});
         }
+        for (std::size_t i = 0; dress != nullptr && i < dress->held.size(); ++i)
+            addHeld(model, *setup, dress->held[i], static_cast<std::uint32_t>(i));
         model.lights = lightsOf(*setup);
     }
     model.bounds = boundsOf(model);

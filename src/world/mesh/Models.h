@@ -34,7 +34,14 @@ struct ModelPart {
     Facing facing = Facing::Fixed;
     std::uint32_t part = 0; ///< index in the Setup; levels of detail of one part share it
     Vec3 scale{1.0};        ///< the scale in `linear`
+    /// Of a part of a held thing: its number in Dress::held. `part` is then an index in the Setup of the thing, and the part
+    /// follows `posedBy` of the holder, at `grip` within its frame.
+    std::uint32_t held = kNone;
+    std::uint32_t posedBy = kNone;
+    Pose grip;
 };
+/// The dress of a part: the model's own, or that of the held thing that it belongs to.
+[[nodiscard]] const Dress& dressOf(const ModelPart& part, const Dress& dress);
 
 struct ModelLight {
     Vec3 position{0.0}; ///< object space
@@ -63,7 +70,8 @@ public:
         : records_(records), detail_(detail), cache_(cache) {}
 
     [[nodiscard]] const Model& model(dat::RecordId id);
-    /// The model with the meshes of some of its parts replaced. Cost: reads the model anew in each call.
+    /// The model with the meshes of some of its parts replaced, and with the things that it holds. Cost: reads the model anew
+    /// in each call.
     [[nodiscard]] Model dressed(dat::RecordId id, const Dress& dress) { return read(id, &dress); }
     /// The distances from an emitter at which its particles are drawn: up to the greatest distance of the
     /// mesh's second-last level, or of its only one; 100 m without levels.
@@ -83,6 +91,8 @@ private:
     [[nodiscard]] std::vector<Level> levelsOf(dat::RecordId gfxObj);
     /// Adds all levels of detail of `posed`.
     void addPart(Model& model, const ModelPart& posed);
+    /// Adds the parts of a thing in the resting pose of its holder.
+    void addHeld(Model& model, const dat::Setup& holder, const HeldThing& thing, std::uint32_t number);
     [[nodiscard]] Sphere boundsOf(const Model& model);
     [[nodiscard]] std::optional<PartMesh> build(dat::RecordId gfxObj);
 

@@ -62,6 +62,8 @@ Dress dressOf(dat::RecordId setup, const Outfit& outfit, Records& records) {
     Dress dress;
     if (outfit.basePalette != 0)
         dress.overlays.push_back({outfit.basePalette, 0, kWholePalette});
+    if (outfit.beneath != nullptr)
+        applyLook(*outfit.beneath, records, dress);
     for (const ClothingEntry& piece : outfit.garments) {
         const dat::ClothingTable* table = records.clothingTable(piece.table);
         if (table == nullptr)
@@ -77,6 +79,46 @@ Dress dressOf(dat::RecordId setup, const Outfit& outfit, Records& records) {
                                              ", which world.json names"});
     }
     return dress;
+}
+
+void applyLook(const LookEntry& look, Records& records, Dress& dress) {
+    for (const LookEntry::Part& change : look.parts)
+        if (change.gfxObj != 0 && records.gfxObj(change.gfxObj) != nullptr)
+            dress.parts[change.part].gfxObj = change.gfxObj;
+    for (const LookEntry::Texture& change : look.textures)
+        dress.parts[change.part].textures.push_back({change.from, change.to});
+    for (const LookEntry::Colours& change : look.colours)
+        dress.overlays.push_back({change.palette, change.offset, change.count});
+}
+
+std::vector<HeldThing> heldThings(dat::RecordId holder, double scale, std::span<const HeldEntry> entries,
+                                  Records& records) {
+    LIMEN_ASSERT(scale > 0.0, "an object has a size");
+    std::vector<HeldThing> held;
+    const dat::Setup* setup = !entries.empty() && isSetup(holder) ? records.setup(holder) : nullptr;
+    if (setup == nullptr)
+        return held;
+    for (const HeldEntry& entry : entries) {
+        const auto location = std::find_if(
+            setup->holdingLocations.begin(), setup->holdingLocations.end(),
+            [&](const dat::Location& l) { return l.key == static_cast<std::int32_t>(entry.location); });
+        if (location == setup->holdingLocations.end() || !isSetup(entry.model) ||
+            records.setup(entry.model) == nullptr)
+            continue;
+        HeldThing thing;
+        thing.model = entry.model;
+        if (location->part >= 0 && static_cast<std::size_t>(location->part) < setup->parts.size())
+            thing.part = static_cast<std::uint32_t>(location->part);
+        thing.at = poseOf(location->frame);
+        thing.at.origin /= scale; // neither its place on the part nor its size follows the holder's scale
+        thing.placement = entry.placement;
+        thing.scale = entry.scale / scale;
+        Dress dress = dressOf(entry.model, {entry.clothing, entry.basePalette}, records);
+        applyLook(entry.look, records, dress);
+        thing.dress = std::make_shared<const Dress>(std::move(dress));
+        held.push_back(std::move(thing));
+    }
+    return held;
 }
 
 dat::Palette withOverlays(const dat::Palette& base, std::span<const PaletteOverlay> overlays,

@@ -100,6 +100,10 @@ DoorMotion doorMotionOf(const dat::Setup& setup, dat::RecordId motionTable, Reco
             ends[0] = reader.framesOf(*shut, ignored);
         if (open != nullptr)
             ends[1] = reader.framesOf(*open, ignored);
+        for (const std::vector<Key>& end : ends)
+            motion.isStill = motion.isStill && std::all_of(end.begin(), end.end(), [&](const Key& key) {
+                                 return isSame(key, end.front());
+                             });
         if (!ends[0].empty())
             motion.keys.push_back(ends[0].front());
         if (link != nullptr)

@@ -11,6 +11,7 @@ struct DoorMotion {
     /// with one pose does not move. All have the same number of parts.
     std::vector<std::vector<Pose>> keys;
     double seconds = 1.0; ///< from shut to open
+    bool isStill = true;  ///< shut and open it does not move
 };
 
 /// Reads the motion of a Setup. The shut pose is that of the substate Off of the table's default style, the open one that

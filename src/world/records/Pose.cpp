@@ -30,4 +30,12 @@ Pose restOf(const dat::Setup& setup, std::size_t part) {
     return frames != nullptr && part < frames->parts.size() ? poseOf(frames->parts[part]) : Pose();
 }
 
+Pose placedPartOf(const dat::Setup& setup, std::uint32_t placement, std::size_t part) {
+    for (const std::uint32_t wanted : {placement, dat::Setup::kPlacementDefault})
+        for (const auto& [key, frame] : setup.placementFrames)
+            if (key == wanted && part < frame.parts.size())
+                return poseOf(frame.parts[part]);
+    return {};
+}
+
 } // namespace limen::world
