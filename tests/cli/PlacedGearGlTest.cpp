@@ -129,7 +129,9 @@ protected:
 private:
     template <class Record>
     static void put(const Record& record) {
-        const dat::Bytes bytes = dat::encode(record);
+        const Result<dat::Bytes> encoded = dat::encode(record);
+        ASSERT_TRUE(encoded);
+        const dat::Bytes& bytes = *encoded;
         std::ofstream out(work() / fmt::format("records/{:08X}.bin", record.id), std::ios::binary);
         out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
         ASSERT_TRUE(out.good());
