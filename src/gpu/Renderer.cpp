@@ -41,9 +41,12 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
         LIMEN_ASSERT(batch.program == frame::Program::SkyPlain ||
                          std::uint64_t{batch.first} + batch.count <= size,
                      "a batch is within the runs");
-        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain ||
+        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain || batch.count > 0 ||
                          batch.first + batch.draws <= plan.clipSets.size(),
                      "each triangle of the sky has a clip set");
+        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain ||
+                         std::uint64_t{batch.first} + batch.count <= std::max(plan.rects.size(), plan.clipSets.size()),
+                     "each rectangle of the sky is in the plan");
     }
     for (const frame::PieceRun& run : plan.runs) {
         LIMEN_ASSERT(std::uint64_t{run.firstPiece} + run.pieceCount <= staticPieces + plan.pieces.size(),
@@ -322,7 +325,10 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
         case frame::Program::SkyPlain:
             if (fillsVoids(draw.variant, frame))
                 device_->readDrawn();
-            device_->drawVertices(3 * batch.first, 3 * batch.draws);
+            if (batch.count > 0)
+                device_->drawVertices(layout::kSkyRectVertices + 6 * batch.first, 6 * batch.count);
+            else
+                device_->drawVertices(3 * batch.first, 3 * batch.draws);
             break;
         default:
             device_->drawIndirect(commands + draw.firstSlot * sizeof(layout::DrawCommand), draw.count);
