@@ -22,7 +22,8 @@ gpu::vec4 aroundBoth(const gpu::vec4& a, const gpu::vec4& b) {
 
 } // namespace
 
-gpu::vec4 rectAround(const FrameView& frame, const visibility::VisibleSet& set, const visibility::Visit& visit) {
+gpu::vec4 rectAround(const FrameView& frame, const visibility::VisibleSet& set,
+                     const visibility::Visit& visit) {
     const visibility::Rect rect = visibility::boundsOf(set.region(visit));
     const double marginX = 2.0 * kMargin / frame.width, marginY = 2.0 * kMargin / frame.height;
     return {static_cast<float>(rect.minX - marginX), static_cast<float>(rect.minY - marginY),

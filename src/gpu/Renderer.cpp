@@ -28,7 +28,8 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
     LIMEN_ASSERT(plan.constants.visitCount > 0 && plan.visits.size() >= plan.constants.visitCount,
                  "a plan has at least the root visit");
     for (const layout::OwnershipVertex& vertex : plan.ownershipVertices)
-        LIMEN_ASSERT(vertex.visit < plan.visits.size(), "an opening's visit is in the plan");
+        LIMEN_ASSERT(vertex.visit < std::min(plan.visits.size(), std::size_t{layout::kOwnedOutside}),
+                     "an opening's visit is in the plan");
     LIMEN_ASSERT(!plan.blocks.empty(), "at least the eye's block is resident");
     LIMEN_ASSERT(plan.constants.staticPieces == staticPieces, "the plan was made for this scene");
     for (std::size_t i = 0; i < plan.visits.size(); ++i) {
@@ -45,7 +46,8 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
                          batch.first + batch.draws <= plan.clipSets.size(),
                      "each triangle of the sky has a clip set");
         LIMEN_ASSERT(batch.program != frame::Program::SkyPlain ||
-                         std::uint64_t{batch.first} + batch.count <= std::max(plan.rects.size(), plan.clipSets.size()),
+                         std::uint64_t{batch.first} + batch.count <=
+                             std::max(plan.rects.size(), plan.clipSets.size()),
                      "each rectangle of the sky is in the plan");
     }
     for (const frame::PieceRun& run : plan.runs) {
@@ -300,7 +302,10 @@ void Renderer::bindAll(const FrameRing& ring, bool withDrawn) {
 }
 
 void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
-    device_->clear(TargetImage::Ownership, std::uint32_t{0}); // the root visit's number
+    constexpr std::uint32_t kRootVisit = 0;
+    device_->clear(TargetImage::Ownership, plan.constants.rootZone == layout::kOutside
+                                               ? kRootVisit | layout::kOwnedOutside
+                                               : kRootVisit);
     if (options.shading != Shading::IdsOnly)
         device_->clear(TargetImage::Colour, clearColour(plan, options));
     if (options.wantLayers)
