@@ -124,13 +124,13 @@ void StreamedResidency::beginToRead(const PartTarget& target) {
     LIMEN_ASSERT(!reading_.valid() && !isUploading_, "one part comes at a time");
     // The work takes copies, because the session continues meanwhile. `session` itself is only read through
     // `read`.
-    reading_ = background_.run(
-        [&session = std::as_const(session_), target, options = session_.renderer().options(),
-         before = session_.renderer().state(), givesBack = session_.options().givesMemoryBack] {
-            Result<Coming> coming = read(session, target, options, before);
-            giveBack(givesBack); // what reading needed
-            return coming;
-        });
+    reading_ = background_.run([&session = std::as_const(session_), target,
+                                options = session_.renderer().options(), before = session_.renderer().state(),
+                                givesBack = session_.options().givesMemoryBack] {
+        Result<Coming> coming = read(session, target, options, before);
+        giveBack(givesBack); // what reading needed
+        return coming;
+    });
 }
 
 void StreamedResidency::beginToUpload() {
