@@ -12,7 +12,7 @@ namespace layout = frame::gpu;
 
 constexpr std::uint32_t kParts = layout::kShownParts;
 static_assert(kParts * kParts == 64, "a bit for each part");
-constexpr double kBeside = 1.0 / 16.0; ///< of the cell
+constexpr double kBeside = 1.0 / 64.0; // of the cell
 
 /// The texels of a part along one side of `size` texels, with those beside it.
 struct Range {
@@ -36,7 +36,8 @@ bool showsIn(const frame::TextureUpload& map, Range columns, Range rows) {
 } // namespace
 
 ShownParts partsOf(const frame::TextureUpload& map) {
-    LIMEN_ASSERT(map.rgba.size() >= std::size_t{4} * map.width * map.height && !map.rgba.empty(), "the map has texels");
+    LIMEN_ASSERT(map.rgba.size() >= std::size_t{4} * map.width * map.height && !map.rgba.empty(),
+                 "the map has texels");
     ShownParts parts = 0;
     for (std::uint32_t y = 0; y < kParts; ++y)
         for (std::uint32_t x = 0; x < kParts; ++x)

@@ -13,8 +13,9 @@ namespace limen::gpu {
 using ShownParts = std::uint64_t;
 inline constexpr ShownParts kEverywhere = ~ShownParts{0};
 
-/// The parts of an unturned blend map in which it lets its layer show: alpha is below 1 within the part or up to a 16th of the
-/// cell beside it, which covers filtering and the coarser mip levels of cells near enough to tell. Requires a picture with texels.
+/// The parts of an unturned blend map in which it lets its layer show: alpha is below 1 within the part a 64th of the
+/// cell and one texel beside it. That covers filtering; in coarser mip levels a pixel or two beside the part can lack a faint share of
+/// the layer. Requires a picture with texels.
 [[nodiscard]] ShownParts partsOf(const frame::TextureUpload& map);
 
 /// The same after quarter turns, as terrainblend.glsl turns the map.

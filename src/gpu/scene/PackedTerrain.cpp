@@ -38,12 +38,15 @@ public:
         for (const layout::TerrainLayer& road : cell.roads)
             add(road);
     }
-    [[nodiscard]] std::span<const layout::TerrainLayer* const> all() const { return {layers_.data(), count_}; }
+    [[nodiscard]] std::span<const layout::TerrainLayer* const> all() const {
+        return {layers_.data(), count_};
+    }
     /// Whether their textures are in one page, and their maps.
     [[nodiscard]] bool haveCommonPages(std::span<const layout::TextureRef> refs) const {
         const auto pageOf = [&](std::uint32_t texture) { return refs[texture].place.y; };
         return std::all_of(all().begin(), all().end(), [&](const layout::TerrainLayer* layer) {
-            return layer->alpha != layout::kNoTexture && pageOf(layer->texture) == pageOf(layers_[0]->texture) &&
+            return layer->alpha != layout::kNoTexture &&
+                   pageOf(layer->texture) == pageOf(layers_[0]->texture) &&
                    pageOf(layer->alpha) == pageOf(layers_[0]->alpha);
         });
     }
@@ -58,8 +61,8 @@ private:
 };
 
 /// The parts in which the layers show: two words each.
-void packParts(const Overlays& overlays, std::span<const layout::TextureRef> refs, std::span<const ShownParts> maps,
-               layout::PackedCell& out) {
+void packParts(const Overlays& overlays, std::span<const layout::TextureRef> refs,
+               std::span<const ShownParts> maps, layout::PackedCell& out) {
     const bool byMap = overlays.haveCommonPages(refs);
     std::size_t count = 0;
     for (const layout::TerrainLayer* layer : overlays.all()) {

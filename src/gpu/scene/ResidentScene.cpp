@@ -25,7 +25,8 @@ ResidentScene::ResidentScene(Device& device, StagedScene staged, std::shared_ptr
       textures_(device, std::move(staged.textures), before != nullptr ? &before->textures_ : nullptr),
       programs_(std::move(programs)), scene_(std::move(staged.arrays)),
       shared_(std::move(staged.sharedIndices)), pieces_(static_cast<std::uint32_t>(scene_->pieces.size())),
-      tables_(std::move(staged.tables)), packsTerrain_(staged.packsTerrain), blendMaps_(std::move(staged.blendMaps)) {}
+      tables_(std::move(staged.tables)), packsTerrain_(staged.packsTerrain),
+      blendMaps_(std::move(staged.blendMaps)) {}
 
 ResidentScene::~ResidentScene() {
     for (TextureHandle texels : texels_)
