@@ -13,7 +13,7 @@ namespace limen::gpu {
 using ShownParts = std::uint64_t;
 inline constexpr ShownParts kEverywhere = ~ShownParts{0};
 
-/// The parts of an unturned blend map in which it lets its layer show: alpha is below 1 within the part a 64th of the
+/// The parts of an unturned blend map in which it lets its layer show: alpha is below 1 within the part, or a 64th of the
 /// cell and one texel beside it. That covers filtering; in coarser mip levels a pixel or two beside the part can lack a faint share of
 /// the layer. Requires a picture with texels.
 [[nodiscard]] ShownParts partsOf(const frame::TextureUpload& map);
