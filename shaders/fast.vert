@@ -123,8 +123,10 @@ void main() {
     vUv = vec2(inUv.x, 1.0 - inUv.y);
     vTexture = uvec2(inLook.x + (inPolygonSurface >> 16), 0u);
 #ifdef PAGES_BY_INDEX
+    uint cell = vTexture.x * (kPackedVectors + kShownVectors);
     for (uint i = 0u; i < kPackedVectors; ++i) {
-        vLayers[i] = packedLayersAt(vTexture.x * kPackedVectors + i);
+        vLayers[i] = packedLayersAt(cell + i);
+        vShown[i] = packedLayersAt(cell + kPackedVectors + i);
     }
 #endif
 #else

@@ -3,9 +3,9 @@
 #include "textures.glsl"
 #include "fastgate.glsl"
 #include "idcolour.glsl"
-#include "terrainblend.glsl"
 #define LOOK in
 #include "fastlook.glsl"
+#include "terrainblend.glsl"
 #ifdef DETAILS
 #include "details.glsl"
 #endif
@@ -18,7 +18,7 @@ layout(location = kOutputId) out uint outId;
 void main() {
 #ifndef FLAT
 #ifdef PAGES_BY_INDEX
-    vec3 albedo = blendedPacked(vLayers[0], vLayers[1], vLayers[2], vUv);
+    vec3 albedo = blendedPacked(vUv);
 #else
     CellUv uv = CellUv(vUv, dFdx(vUv), dFdy(vUv));
     vec3 albedo = blendedTerrain(vTexture.x, uv);

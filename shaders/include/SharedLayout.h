@@ -305,6 +305,11 @@ struct TerrainCell {
 // The layers of a landcell that exist, in order, packed for drivers that shade one triangle at a time: base, overlays,
 // roads; two a vector. First word: page of the texture, its array layer << 8, repeats << 24. Second word, 0 for no more
 // layers: page of the blend map, its array layer << 8, and the bits below.
+//
+// `shown`: for each layer after the base 64 bits, which say in which parts of the cell it shows: kShownParts columns and rows,
+// from the corner where the texture coordinates are 0, in the order of the layers, two words each.
+LIMEN_CONST kShownParts = 8u;
+LIMEN_CONST kShownVectors = 3u; // two words for each of five layers
 LIMEN_CONST kPackedPlace = 0x00FFFFFFu;
 LIMEN_CONST kPackedTurns = 24u;      // shift of the quarter turns
 LIMEN_CONST kPackedTiling = 24u;     // shift of the repeats
@@ -314,6 +319,7 @@ LIMEN_CONST kPackedRoad = 1u << 28;
 LIMEN_CONST kPackedVectors = 3u;
 LIMEN_STRUCT(PackedCell) {
     uvec4 layers[3] LIMEN_ZERO;
+    uvec4 shown[3] LIMEN_ZERO;
 };
 
 LIMEN_STRUCT(LightSet) {

@@ -7,6 +7,7 @@ layout(location = kVaryingFastUv) LOOK vec2 vUv;
 layout(location = kVaryingTexture) flat LOOK uvec2 vTexture; // TextureRef.place.xy; TERRAIN: x: the landcell
 #if defined(TERRAIN) && defined(PAGES_BY_INDEX)
 layout(location = kVaryingLayers) flat LOOK uvec4 vLayers[kPackedVectors]; // PackedCell; three locations
+layout(location = kVaryingShown) flat LOOK uvec4 vShown[kShownVectors];
 #endif
 #ifdef DETAILS
 layout(location = kVaryingDetail) flat LOOK uvec3 vDetail; // TextureRef.place.xy; repeats, as float bits, 0: no grain

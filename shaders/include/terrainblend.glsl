@@ -27,13 +27,45 @@ vec3 packedColour(uvec2 layer, vec2 uv) {
     return packedTexels(layer.x, uv * float(layer.x >> kPackedTiling)).rgb;
 }
 
-// The layers of a landcell are constant over a triangle, so all fragments that are differentiated together take the
-// same turns of the loop. `uv`: v downwards.
-vec3 blendedPacked(uvec4 first, uvec4 second, uvec4 third, vec2 uv) {
-    vec3 colour = packedColour(first.xy, uv);
+// Bit i: layer i + 1 shows in this part of the cell. `word`, `bit`: of the part.
+uint shownBit(uvec2 words, uint word, uint bit, uint i) {
+    return ((word == 0u ? words.x : words.y) >> bit & 1u) << i;
+}
+
+uint shownAt(vec2 uv) {
+    uvec2 part = uvec2(clamp(uv * float(kShownParts), vec2(0.0), vec2(kShownParts) - 0.5));
+    uint number = part.y * kShownParts + part.x;
+    uint word = number >> 5;
+    uint bit = number & 31u;
+    return shownBit(vShown[0].xy, word, bit, 0u) | shownBit(vShown[0].zw, word, bit, 1u) | shownBit(vShown[1].xy, word, bit, 2u) |
+           shownBit(vShown[1].zw, word, bit, 3u) | shownBit(vShown[2].xy, word, bit, 4u);
+}
+
+// The bits of the four pixels that are differentiated together, so that they sample one layer at a time.
+uint ofAllFour(uint bits) {
+    vec2 towards = vec2(1.0) - 2.0 * vec2(uvec2(gl_FragCoord.xy) & 1u);
+    float own = float(bits);
+    bits |= uint(own + towards.x * dFdxFine(own) + 0.5);
+    own = float(bits);
+    return bits | uint(own + towards.y * dFdyFine(own) + 0.5);
+}
+
+uvec2 layerAt(uint i) {
+    uvec2 layer = i == 0u ? vLayers[0].zw : vLayers[1].xy;
+    layer = i == 2u ? vLayers[1].zw : layer;
+    layer = i == 3u ? vLayers[2].xy : layer;
+    return i == 4u ? vLayers[2].zw : layer;
+}
+
+// Blends only the layers that show in the pixel's part of the cell. Other pixels of the same triangle may sample another
+// layer in the same turn, so these layers have one page for their textures and one for their maps (PackedTerrain.h).
+// `uv`: v downwards.
+vec3 blendedPacked(vec2 uv) {
+    vec3 colour = packedColour(vLayers[0].xy, uv);
     vec3 road = vec3(0.0);
     float roadKeeps = 1.0;
-    for (uvec2 layer = first.zw; layer.y != 0u; layer = first.zw) {
+    for (uint rest = ofAllFour(shownAt(uv)); rest != 0u; rest &= rest - 1u) {
+        uvec2 layer = layerAt(uint(findLSB(rest)));
         vec3 painted = packedColour(layer, uv);
         float keeps = packedTexels(layer.y, turned(uv - 0.5, layer.y >> kPackedTurns) + 0.5).a;
         keeps = (layer.y & kPackedMap) != 0u ? keeps : 0.0;
@@ -41,9 +73,6 @@ vec3 blendedPacked(uvec4 first, uvec4 second, uvec4 third, vec2 uv) {
         colour = isRoad ? colour : mix(painted, colour, keeps);
         road = isRoad ? painted : road;
         roadKeeps *= isRoad ? keeps : 1.0;
-        first.zw = second.xy;
-        second = uvec4(second.zw, third.xy);
-        third = uvec4(third.zw, 0u, 0u);
     }
     return mix(road, colour, roadKeeps);
 }

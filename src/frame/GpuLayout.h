@@ -54,7 +54,7 @@ static_assert(sizeof(TextureRef) == 16 && sizeof(TerrainLayer) == 16 && sizeof(T
 static_assert(sizeof(LightSet) == 16 && sizeof(OwnershipVertex) == 48 && sizeof(ClipSet) == 128);
 static_assert(sizeof(Level) == 16 && sizeof(SkyInstance) == 80 && sizeof(DrawPiece) == 16 &&
               sizeof(DrawRun) == 16 && sizeof(SlotGroup) == 16 && sizeof(Replacement) == 8 &&
-              sizeof(DrawRecord) == 128 && sizeof(Lamp) == 32 && sizeof(PackedCell) == 48);
+              sizeof(DrawRecord) == 128 && sizeof(Lamp) == 32 && sizeof(PackedCell) == 96);
 static_assert(sizeof(DrawCommand) == 4 * kWordsPerCommand &&
               kTrianglesPerPiece == kCullThreads * kTrianglesPerThread);
 

@@ -186,6 +186,36 @@ TEST_F(FastGlTest, blendsTerrain_withPackedLayersAndWithout) {
     }
 }
 
+// Each layer shows in a part of the cell, by the turns of one map: a quarter, or a quarter and a soft border.
+TEST_F(FastGlTest, blendsTerrain_whereItsLayersShow) {
+    constexpr std::uint32_t kMap = 64;
+    std::vector<std::uint8_t> quarter(std::size_t{4} * kMap * kMap, 255);
+    for (std::uint32_t y = 0; y < kMap / 2; ++y)
+        for (std::uint32_t x = 0; x < kMap / 2 + y % 9; ++x)
+            quarter[4 * (y * kMap + x) + 3] = static_cast<std::uint8_t>(x < kMap / 3 ? 0 : 4 * x);
+    for (std::uint32_t turns = 0; turns < 4; ++turns) {
+        SceneBuilder scene;
+        scene.root(0);
+        const std::uint32_t base = scene.addTexture(1, 1, {250, 250, 240, 255}, false),
+                            red = scene.addTexture(1, 1, {200, 10, 0, 255}, false),
+                            green = scene.addTexture(1, 1, {0, 100, 40, 255}, false),
+                            road = scene.addTexture(1, 1, {20, 30, 10, 255}, false),
+                            map = scene.addTexture(kMap, kMap, quarter, true);
+        layout::TerrainCell cell;
+        cell.base = {base, layout::kNoTexture, 0, 2.0f};
+        cell.overlays[0] = {red, map, turns, 3.0f};
+        cell.overlays[1] = {green, map, (turns + 1) & 3u, 1.0f};
+        cell.overlays[2] = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+        cell.roads[0] = {road, map, (turns + 2) & 3u, 1.0f};
+        cell.roads[1] = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+        scene.upload.terrainCells.push_back(cell);
+        scene.addWall('T', {-2, -2}, {2, 2}, 2,
+                      {.program = frame::Program::Terrain, .uv = {glm::vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+        const Both both = drawBoth(scene, 90, {.wantIds = false}, fast());
+        EXPECT_LE(difference(both.exact, both.fast), 3) << turns;
+    }
+}
+
 TEST_F(FastGlTest, lightsLikeTheExactWay) {
     for (const std::uint32_t kind : {layout::kLitWalls, layout::kLitThing, layout::kLitMoving}) {
         SceneBuilder scene;

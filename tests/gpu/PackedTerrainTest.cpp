@@ -27,11 +27,16 @@ std::vector<layout::TextureRef> refs(std::uint32_t count) {
     return all;
 }
 
+/// Every map shows its layer in the first part alone.
+std::vector<ShownParts> maps(std::size_t count) {
+    return std::vector<ShownParts>(count, 1);
+}
+
 TEST(PackedTerrain, hasTheLayersThatExist_inOrder) {
     layout::TerrainCell cell = onlyBase({2, layout::kNoTexture, 0, 4.0f});
     cell.overlays[1] = {3, 5, 3, 2.0f};
     cell.roads[0] = {4, 6, 1, 1.0f};
-    const std::vector<layout::PackedCell> packed = packTerrain({&cell, 1}, refs(7));
+    const std::vector<layout::PackedCell> packed = packTerrain({&cell, 1}, refs(7), maps(7));
     ASSERT_EQ(packed.size(), 1u);
     const layout::uvec4 &first = packed[0].layers[0], &second = packed[0].layers[1];
     EXPECT_EQ(first.x, 2u | 21u << 8 | 4u << layout::kPackedTiling);
@@ -52,7 +57,7 @@ TEST(PackedTerrain, holdsAllSixLayers) {
         overlay = {1, 2, 0, 1.0f};
     for (layout::TerrainLayer& road : cell.roads)
         road = {1, 2, 0, 1.0f};
-    const layout::PackedCell packed = packTerrain({&cell, 1}, refs(3)).front();
+    const layout::PackedCell packed = packTerrain({&cell, 1}, refs(3), maps(3)).front();
     for (const layout::uvec4& pair : packed.layers) {
         EXPECT_NE(pair.y & layout::kPackedLayer, 0u);
         EXPECT_NE(pair.w & layout::kPackedLayer, 0u);
@@ -61,10 +66,35 @@ TEST(PackedTerrain, holdsAllSixLayers) {
     EXPECT_EQ(packed.layers[1].w & layout::kPackedRoad, 0u);
 }
 
+TEST(PackedTerrain, layersOfCommonPagesShowInThePartsOfTheirMaps) {
+    std::vector<layout::TextureRef> pages(5);
+    for (std::uint32_t i = 0; i < 5; ++i)
+        pages[i].place = {i, i < 3 ? 0u : 1u, 64, 64}; // three textures, two maps
+    layout::TerrainCell cell = onlyBase({0, layout::kNoTexture, 0, 4.0f});
+    cell.overlays[0] = {1, 3, 0, 2.0f};
+    cell.roads[0] = {2, 4, 2, 1.0f};
+    const std::vector<ShownParts> parts{0, 0, 0, 1, 2};
+    const auto shownOf = [&] {
+        const layout::uvec4 pair = packTerrain({&cell, 1}, pages, parts).front().shown[0];
+        return std::pair{pair.x | ShownParts{pair.y} << 32, pair.z | ShownParts{pair.w} << 32};
+    };
+    EXPECT_EQ(shownOf(), (std::pair{ShownParts{1}, ShownParts{1} << 62}))
+        << "the second map is turned by half a turn";
+    pages[2].place.y = 2;
+    EXPECT_EQ(shownOf(), (std::pair{kEverywhere, kEverywhere})) << "another page for a texture";
+    pages[2].place.y = 0;
+    pages[4].place.y = 2;
+    EXPECT_EQ(shownOf(), (std::pair{kEverywhere, kEverywhere})) << "another page for a map";
+    pages[4].place.y = 1;
+    cell.overlays[0].alpha = layout::kNoTexture;
+    EXPECT_EQ(shownOf(), (std::pair{kEverywhere, kEverywhere})) << "a layer without a map";
+}
+
 TEST(PackedTerrain, repeatsAreWholeNumbersFrom1To255) {
     for (const auto& [tiling, packed] : {std::pair{0.2f, 1u}, {2.6f, 3u}, {1000.0f, 255u}}) {
         const layout::TerrainCell cell = onlyBase({0, layout::kNoTexture, 0, tiling});
-        EXPECT_EQ(packTerrain({&cell, 1}, refs(1)).front().layers[0].x >> layout::kPackedTiling, packed);
+        EXPECT_EQ(packTerrain({&cell, 1}, refs(1), maps(1)).front().layers[0].x >> layout::kPackedTiling,
+                  packed);
     }
 }
 

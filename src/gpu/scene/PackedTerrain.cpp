@@ -3,6 +3,7 @@
 #include "core/Assert.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace limen::gpu {
@@ -28,7 +29,53 @@ layout::uvec2 pack(const layout::TerrainLayer& layer, bool isRoad, std::span<con
     return packed;
 }
 
-layout::PackedCell pack(const layout::TerrainCell& cell, std::span<const layout::TextureRef> refs) {
+/// The layers of a cell after its base, as far as they exist.
+class Overlays {
+public:
+    explicit Overlays(const layout::TerrainCell& cell) {
+        for (const layout::TerrainLayer& overlay : cell.overlays)
+            add(overlay);
+        for (const layout::TerrainLayer& road : cell.roads)
+            add(road);
+    }
+    [[nodiscard]] std::span<const layout::TerrainLayer* const> all() const {
+        return {layers_.data(), count_};
+    }
+    /// Whether their textures are in one page, and their maps.
+    [[nodiscard]] bool haveCommonPages(std::span<const layout::TextureRef> refs) const {
+        const auto pageOf = [&](std::uint32_t texture) { return refs[texture].place.y; };
+        return std::all_of(all().begin(), all().end(), [&](const layout::TerrainLayer* layer) {
+            return layer->alpha != layout::kNoTexture &&
+                   pageOf(layer->texture) == pageOf(layers_[0]->texture) &&
+                   pageOf(layer->alpha) == pageOf(layers_[0]->alpha);
+        });
+    }
+
+private:
+    void add(const layout::TerrainLayer& layer) {
+        if (layer.texture != layout::kNoTexture)
+            layers_[count_++] = &layer;
+    }
+    std::array<const layout::TerrainLayer*, layout::kLayersPerCell - 1> layers_{};
+    std::size_t count_ = 0;
+};
+
+/// The parts in which the layers show: two words each.
+void packParts(const Overlays& overlays, std::span<const layout::TextureRef> refs,
+               std::span<const ShownParts> maps, layout::PackedCell& out) {
+    const bool byMap = overlays.haveCommonPages(refs);
+    std::size_t count = 0;
+    for (const layout::TerrainLayer* layer : overlays.all()) {
+        const ShownParts parts = byMap ? turned(maps[layer->alpha], layer->rotation) : kEverywhere;
+        layout::uvec4& pair = out.shown[count / 2];
+        (count % 2 == 0 ? pair.x : pair.z) = static_cast<std::uint32_t>(parts);
+        (count % 2 == 0 ? pair.y : pair.w) = static_cast<std::uint32_t>(parts >> 32);
+        ++count;
+    }
+}
+
+layout::PackedCell pack(const layout::TerrainCell& cell, std::span<const layout::TextureRef> refs,
+                        std::span<const ShownParts> maps) {
     layout::PackedCell out;
     std::size_t count = 0;
     const auto add = [&](const layout::TerrainLayer& layer, bool isRoad) {
@@ -45,17 +92,19 @@ layout::PackedCell pack(const layout::TerrainCell& cell, std::span<const layout:
         add(overlay, false);
     for (const layout::TerrainLayer& road : cell.roads)
         add(road, true);
+    packParts(Overlays(cell), refs, maps, out);
     return out;
 }
 
 } // namespace
 
 std::vector<layout::PackedCell> packTerrain(std::span<const layout::TerrainCell> cells,
-                                            std::span<const layout::TextureRef> refs) {
+                                            std::span<const layout::TextureRef> refs,
+                                            std::span<const ShownParts> maps) {
     std::vector<layout::PackedCell> out;
     out.reserve(cells.size());
     for (const layout::TerrainCell& cell : cells)
-        out.push_back(pack(cell, refs));
+        out.push_back(pack(cell, refs, maps));
     return out;
 }
 

@@ -25,7 +25,8 @@ ResidentScene::ResidentScene(Device& device, StagedScene staged, std::shared_ptr
       textures_(device, std::move(staged.textures), before != nullptr ? &before->textures_ : nullptr),
       programs_(std::move(programs)), scene_(std::move(staged.arrays)),
       shared_(std::move(staged.sharedIndices)), pieces_(static_cast<std::uint32_t>(scene_->pieces.size())),
-      tables_(std::move(staged.tables)), packsTerrain_(staged.packsTerrain) {}
+      tables_(std::move(staged.tables)), packsTerrain_(staged.packsTerrain),
+      blendMaps_(std::move(staged.blendMaps)) {}
 
 ResidentScene::~ResidentScene() {
     for (TextureHandle texels : texels_)
@@ -56,7 +57,7 @@ void ResidentScene::listArrays() {
     texels(layout::kUnitMaterials, "materials", bytesOf(scene_->materials));
     texels(layout::kUnitMaterialRefs, "material references", bytesOf(scene_->materialRefs));
     if (packsTerrain_) {
-        packed_ = packTerrain(scene_->terrainCells, textures_.refs());
+        packed_ = packTerrain(scene_->terrainCells, textures_.refs(), blendMaps_);
         texels(layout::kUnitTerrain, "packed terrain cells", bytesOf(packed_));
     } else {
         texels(layout::kUnitTerrain, "terrain cells", bytesOf(scene_->terrainCells));

@@ -76,6 +76,7 @@ private:
     std::uint32_t pieces_ = 0;
     frame::RecordTables tables_;
     bool packsTerrain_ = false;
+    std::vector<ShownParts> blendMaps_;          ///< for packed_
     std::vector<frame::gpu::PackedCell> packed_; ///< until it is uploaded
 };
 

@@ -63,6 +63,8 @@ Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& 
     staged.bindings = bindingsOf(scene, *textures);
     const DriverChoices choices = driverChoices(options, capabilities);
     staged.packsTerrain = choices.packsTerrain && staged.bindings.terrain.pageCount > 0;
+    if (staged.packsTerrain)
+        staged.blendMaps = partsOfMaps(scene.terrainCells, scene.textures);
     staged.bindings.grainedMeshes &= choices.details; // else their programs are built when a frame needs them
     staged.bindings.grainedLand &= choices.details;
     // Programs that can sample unneeded pages exist already; programs without them would have to be built.

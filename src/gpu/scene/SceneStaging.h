@@ -2,6 +2,7 @@
 
 #include "frame/DrawRecords.h"
 #include "frame/SceneUpload.h"
+#include "gpu/scene/BlendMapParts.h"
 #include "gpu/scene/Programs.h"
 #include "gpu/texture/TextureStaging.h"
 
@@ -23,7 +24,8 @@ struct StagedScene {
     /// Of Drawing::Fast, else empty.
     std::shared_ptr<const std::vector<std::uint32_t>> sharedIndices;
     frame::RecordTables tables;
-    bool packsTerrain = false; ///< the shaders read PackedCell
+    bool packsTerrain = false;         ///< the shaders read PackedCell
+    std::vector<ShownParts> blendMaps; ///< partsOfMaps(), if they do
     StagedTextures textures;
     SceneBindings bindings;
 };
