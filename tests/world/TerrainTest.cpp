@@ -77,6 +77,27 @@ TEST(TerrainMesh, isSeenFromAboveAndMatchesTheGroundItself) {
     }
 }
 
+TEST(Land, isACentimetreBelowTheHeightsOfTheRecords) {
+    TestWorld source;
+    dat::LandBlock& land = source.terrain(source.home());
+    for (std::size_t i = 0; i < 81; ++i)
+        land.heights[i] = static_cast<std::uint8_t>(i * 7 % 5);
+    const World world = test::loadTestWorld(source);
+    ASSERT_EQ(world.blocks.size(), 1u);
+    for (std::size_t i = 0; i < 81; ++i) {
+        const float height = 2.0f * static_cast<float>(land.heights[i]);
+        EXPECT_EQ(world.blocks[0].heights[i], height - 0.01f);
+        const Vec3 at = world.blocks[0].origin() +
+                        Vec3(24.0 * static_cast<double>(i / 9), 24.0 * static_cast<double>(i % 9), 0.0);
+        const bool isDrawn =
+            std::any_of(world.vertices.begin(), world.vertices.end(), [&](const MeshVertex& v) {
+                return Vec3(v.position) == Vec3(at.x - world.blocks[0].origin().x,
+                                                at.y - world.blocks[0].origin().y, height - 0.01f);
+            });
+        EXPECT_TRUE(isDrawn) << "vertex " << i;
+    }
+}
+
 TEST(TerrainMesh, normalsAgreeAcrossTheBorder) {
     TestWorld source;
     for (int block = 0; block < 2; ++block) {
