@@ -228,7 +228,7 @@ dat::DayGroup overcastDays(const Overcast& kind, dat::RecordId night, dat::Recor
 
 dat::DayGroup snowyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId snow) {
     dat::DayGroup group =
-        overcastDays({"Snow", 0.40, 1.60, 0xFFE4E8F0, 0xFFA6ABB2, 2.0f, 120.0f}, night, cloud);
+        overcastDays({"Snow", 0.40, 1.60, 0xFFE4E8F0, 0xFF9BA0A8, 8.0f, 150.0f}, night, cloud);
     group.objects.push_back(skyObject(0, 0.0, 0.0, 0.0, 0.0, kAtViewer));
     group.objects.back().script = snow;
     return group;
