@@ -141,7 +141,7 @@ double swayOf(BlendShape shape, double u, double v, std::uint32_t seed) {
         return (0.10 + 0.03 * vary) * across * across;
     }
     const double once = 1.0 - std::cos(kTurn * v), twice = std::sin(kTurn * v) * std::sin(0.5 * kTurn * v);
-    return 0.04 * vary * once + 0.07 * (random01(seed, 2, 1701) < 0.5 ? twice : -twice);
+    return 0.03 * vary * once + 0.055 * (random01(seed, 2, 1701) < 0.5 ? twice : -twice);
 }
 
 } // namespace
