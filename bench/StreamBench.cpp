@@ -18,9 +18,6 @@
 #include <limits>
 #include <thread>
 #include <unistd.h>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace limen::bench {
 
@@ -104,13 +101,6 @@ bool isAllThere(const world::World& world, const Land& land, dat::BlockCoord eye
     });
 }
 
-/// Frees the memory of earlier flights, so that it does not count for this one.
-void giveBackFreeMemory() {
-#ifdef __GLIBC__
-    (void)::malloc_trim(0);
-#endif
-}
-
 /// A frame's streaming, with no body that has to be prepared.
 bool follow(const engine::Session& session, engine::StreamedResidency& stream, const Vec3& at,
             engine::FrameRequest& eye) {
@@ -123,8 +113,9 @@ bool follow(const engine::Session& session, engine::StreamedResidency& stream, c
 
 Result<Flight> fly(const std::shared_ptr<const engine::WorldSource>& source, const Land& land,
                    gpu::Device& device) {
-    giveBackFreeMemory();
+    engine::giveBackFreeMemory(); // of earlier flights
     engine::SessionOptions options;
+    options.givesMemoryBack = true; // as in the viewer
     options.load.radius = kNear;
     options.load.farRadius = kFar;
     engine::Session session(source, options, device);

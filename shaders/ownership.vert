@@ -26,6 +26,10 @@ vec4 planeOfVisit(uint visit) {
     return vec4(-entry.xyz, entry.w);
 }
 
+uint zoneOfVisit(uint visit) {
+    return ringTexel(device.firstVisit + visit * kVisitTexels + 1u).x;
+}
+
 // One triangle around the whole window.
 vec4 everywhere(uint part) {
     return vec4(part == 1u ? 3.0 : -1.0, part == 2u ? 3.0 : -1.0, 0.0, 1.0);
@@ -80,7 +84,7 @@ void drawLarger(uint part) {
 void main() {
     OwnershipVertex corner = ownershipVertices[gl_VertexID];
     uint part = uint(gl_VertexID) - corner.outlineFirst;
-    vVisit = corner.visit;
+    vVisit = corner.visit | (zoneOfVisit(corner.visit) == kOutside ? kOwnedOutside : 0u);
     opening = uvec3(corner.outlineFirst, corner.outlineCount & ~kCoverWindow, corner.clipSet);
     vOpening = opening;
     if (opening.y > 0u) {

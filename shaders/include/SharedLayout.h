@@ -125,6 +125,10 @@ LIMEN_CONST kLandcellBeyond = 800u; // steps: world::kLandcellBeyond
 LIMEN_CONST kSamples = 4u; // per pixel of a multisampled frame
 
 LIMEN_CONST kNoVisit = 0xFFFFFFFFu;
+LIMEN_CONST kOwnedOutside =
+    1u << 31; // of the ownership target, beside the visit's number: its zone is the outside
+LIMEN_CONST kSkyRectVertices =
+    1u << 20; // the first vertex number of the plain sky's rectangles: more than 3 per clip set
 LIMEN_CONST kShutByNothing = 1u; // Visit.shutBy: closed by a filling that has no surface
 LIMEN_CONST kNoTexture = 0xFFFFFFFFu;
 LIMEN_CONST kSkyId = 1u;

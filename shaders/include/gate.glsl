@@ -23,7 +23,8 @@ const float kSnap = 1.0 / 2048.0;
 const float kSnap = kSnapTolerance;
 #endif
 
-uint leafVisit() {
+// The visit's number, and kOwnedOutside.
+uint ownerHere() {
 #ifdef MULTISAMPLED
     return texelFetch(ownership, ivec2(gl_FragCoord.xy), gl_SampleID).r;
 #else
@@ -31,12 +32,16 @@ uint leafVisit() {
 #endif
 }
 
+uint leafVisit() {
+    return ownerHere() & ~kOwnedOutside;
+}
+
 // Whether the pixel's ray ended outside.
 bool keepOutside() {
 #ifdef CLIPPED
     return true; // the clip planes decide
 #endif
-    return visitAt(leafVisit()).zone == kOutside;
+    return (ownerHere() & kOwnedOutside) != 0u;
 }
 
 // A fast draw of one zone has it in place of the first member (DrawRecord.members); the loop then has no turn.

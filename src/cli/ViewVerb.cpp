@@ -172,6 +172,7 @@ Result<viewer::ApplicationOptions> applicationOptions(const ViewOptions& options
         return Failure(view.error());
     viewer::ApplicationOptions application;
     application.session = options.session;
+    application.session.givesMemoryBack = true;
     application.isQualityFixed = options.isQualityGiven;
     application.isLookFixed = options.isScript() || !options.view.look.empty();
     application.isFovFixed = options.isScript() || !options.view.fov.empty();

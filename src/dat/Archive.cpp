@@ -139,6 +139,14 @@ void Archive::letPagesGo() const {
             file->letPagesGo();
 }
 
+void Archive::letPagesGoEvery(std::size_t bytes) {
+    portal_.letPagesGoEvery(bytes);
+    cell_.letPagesGoEvery(bytes);
+    for (std::optional<File>* file : {&highres_, &local_})
+        if (*file)
+            (*file)->letPagesGoEvery(bytes);
+}
+
 #define LIMEN_DAT_RECORD(Record)                                                                             \
     template Result<Record> Archive::load<Record>(RecordId) const;                                           \
     template bool Archive::contains<Record>(RecordId) const;

@@ -48,6 +48,8 @@ public:
     [[nodiscard]] Result<RecordId> imageOf(const SurfaceTexture& texture) const;
     /// File::letPagesGo of all files.
     void letPagesGo() const;
+    /// File::letPagesGoEvery of all files.
+    void letPagesGoEvery(std::size_t bytes);
 
 private:
     Archive(std::filesystem::path directory, File portal, File cell)

@@ -7,6 +7,7 @@
 #include "dat/container/Mapping.h"
 #include "dat/container/Tree.h"
 
+#include <atomic>
 #include <fmt/format.h>
 
 namespace limen::dat {
@@ -40,7 +41,17 @@ struct File::Impl {
             {ErrorCode::Malformed, fmt::format("{}, record 0x{:08X}", name, entry.id), std::move(reason)});
     }
 
+    void countRead(std::size_t bytes) const {
+        constexpr std::size_t kAroundFault = std::size_t{64} << 10; // that the system maps with each page
+        if (mostBytes == 0 || (readBytes += bytes + kAroundFault) <= mostBytes)
+            return;
+        readBytes = 0;
+        mapping.letPagesGo();
+    }
+
     Mapping mapping;
+    std::size_t mostBytes = 0;                      ///< of letPagesGoEvery; 0: any number
+    mutable std::atomic<std::size_t> readBytes = 0; ///< since pages were let go
     std::string name;
     Header header;
     std::vector<std::string> warnings;
@@ -83,6 +94,10 @@ const std::vector<std::string>& File::warnings() const {
 
 void File::letPagesGo() const {
     impl_->mapping.letPagesGo();
+}
+
+void File::letPagesGoEvery(std::size_t bytes) {
+    impl_->mostBytes = bytes;
 }
 
 Result<std::optional<Entry>> File::find(RecordId id) const {
@@ -146,6 +161,7 @@ bool File::isInFile(const Entry& entry) const {
 }
 
 Result<ByteView> File::read(const Entry& entry, Bytes& scratch) const {
+    impl_->countRead(entry.size);
     const Blocks& blocks = impl_->blocks;
     const bool compressed = (entry.flags & kCompressedFlag) != 0;
     if (!compressed && entry.size <= blocks.capacity() && blocks.isBlock(entry.offset))

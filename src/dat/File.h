@@ -88,6 +88,9 @@ public:
     /// valid; the next read of a page costs a page fault. Call it after much was read. Safe while other
     /// threads read.
     void letPagesGo() const;
+    /// Makes read() let the pages go each time that `bytes` were read. Each record counts 64 KiB more, for the pages that the
+    /// system maps around it. 0, the default: never. Not safe while other threads read.
+    void letPagesGoEvery(std::size_t bytes);
 
 private:
     struct Impl;

@@ -15,4 +15,10 @@ void tuneHeap() {
 #endif
 }
 
+void giveBackFreeMemory() {
+#ifdef __GLIBC__
+    (void)::malloc_trim(0);
+#endif
+}
+
 } // namespace limen::engine

@@ -11,4 +11,8 @@ namespace limen::engine {
 ///   and grows.
 void tuneHeap();
 
+/// Returns free memory within the heap to the system, of all threads, with glibc. Other threads that allocate wait some
+/// milliseconds. For a program's own process: in a library it would delay the host.
+void giveBackFreeMemory();
+
 } // namespace limen::engine

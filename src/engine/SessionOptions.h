@@ -19,8 +19,10 @@ struct SessionOptions {
     gpu::Culling culling = gpu::Culling::Hidden;
     /// Samples a pixel in frames without ids and layers, on any driver; 1: no multisampling; 0: presetSamples.
     std::uint32_t samples = 0;
-    std::uint32_t presetSamples = 0;      ///< the same of a quality level, with a graphics card only
-    float anisotropy = 4.0f;              ///< upper bound of anisotropic filtering
+    std::uint32_t presetSamples = 0; ///< the same of a quality level, with a graphics card only
+    float anisotropy = 4.0f;         ///< upper bound of anisotropic filtering
+    /// Give free memory back to the system after a part is loaded or released (HeapTuning.h).
+    bool givesMemoryBack = false;
     std::optional<std::size_t> quality{}; ///< index in kQualities; none: options were set one by one
 };
 

@@ -13,6 +13,8 @@ Result<WorldSource> openDirectory(const dat::ArchivePaths& paths, PlaceSearch se
     Result<dat::Archive> archive = dat::Archive::open(paths);
     if (!archive)
         return Failure(archive.error());
+    constexpr std::size_t kBetween = std::size_t{16} << 20; // bytes that are read
+    archive->letPagesGoEvery(kBetween); // the pages of a file count as the program's memory
     Result<world::WorldFile> file = world::loadWorldFile(paths.directory);
     if (!file)
         return Failure(file.error());

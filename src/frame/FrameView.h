@@ -45,7 +45,7 @@ struct FrameView {
     Rules rules;
     Gate gate = Gate::Ownership;
     /// Instances of the root's zone that no opening can hide are drawn without the ownership test. The picture
-    /// is the same, but for surfaces in the plane of a shut opening.
+    /// is the same, but for surfaces in the plane of a shut opening. The plain sky beside all openings is drawn without it, too.
     bool fewTests = false;
     /// The plain sky is drawn in every frame with several visits, because its draw fills voids (skyplain.frag).
     bool fillsVoids = false;

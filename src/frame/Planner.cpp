@@ -7,6 +7,7 @@
 #include "frame/PlanBatches.h"
 #include "frame/PlanDynamics.h"
 #include "frame/PlanSky.h"
+#include "frame/SkyParts.h"
 #include "frame/gates/GatePlanner.h"
 
 #include <algorithm>
@@ -192,14 +193,27 @@ void Planner::planSolid(bool several, FramePlan& plan) {
     addSolid(DrawClass::CutOut, several, plan);
 }
 
+void Planner::planPlainSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
+    const bool several = set.visits.size() > 1;
+    if (!several || !frame.fewTests || frame.view.root != world::kOutside) {
+        plan.batches.push_back({Program::SkyPlain, several, 0, 0, 1});
+        return;
+    }
+    const SkyParts parts = splitSky(frame, set, plan);
+    if (parts.open.count > 0)
+        plan.batches.push_back({Program::SkyPlain, false, parts.open.first, parts.open.count, 1});
+    if (parts.tested.count > 0)
+        plan.batches.push_back({Program::SkyPlain, true, parts.tested.first, parts.tested.count, 1});
+}
+
 void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
     const bool seesSky = seesOutside(set);
     if (seesSky || (frame.fillsVoids && plan.visits.size() > 1))
-        plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
+        planPlainSky(frame, set, plan);
     if (!seesSky)
         return;
     placeSky(world_, frame, sky_);
-    beginBatch(Program::SkyObjects, false, plan);
+    beginBatch(Program::SkyObjects, set.visits.size() > 1, plan);
     for (const bool overLand : {false, true})
         addSkyObjects(world_, sky_, {overLand}, plan);
 }

@@ -45,6 +45,7 @@ private:
     void planSolid(bool several, FramePlan& plan);
     void addSolid(DrawClass drawn, bool several, FramePlan& plan);
     void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
+    static void planPlainSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
     void planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics, FramePlan& plan);
 
     const StaticScene& scene_;

@@ -16,19 +16,19 @@ constexpr double kMargin = 2.0;
 
 constexpr std::size_t kMaxFirst = std::numeric_limits<std::uint16_t>::max();
 
-/// The rectangle around a visit's region, NDC.
-gpu::vec4 rectOf(const FrameView& frame, const visibility::VisibleSet& set, const visibility::Visit& visit) {
-    const visibility::Rect rect = visibility::boundsOf(set.region(visit));
-    const double marginX = 2.0 * kMargin / frame.width, marginY = 2.0 * kMargin / frame.height;
-    return {static_cast<float>(rect.minX - marginX), static_cast<float>(rect.minY - marginY),
-            static_cast<float>(rect.maxX + marginX), static_cast<float>(rect.maxY + marginY)};
-}
-
 gpu::vec4 aroundBoth(const gpu::vec4& a, const gpu::vec4& b) {
     return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.z, b.z), std::max(a.w, b.w)};
 }
 
 } // namespace
+
+gpu::vec4 rectAround(const FrameView& frame, const visibility::VisibleSet& set,
+                     const visibility::Visit& visit) {
+    const visibility::Rect rect = visibility::boundsOf(set.region(visit));
+    const double marginX = 2.0 * kMargin / frame.width, marginY = 2.0 * kMargin / frame.height;
+    return {static_cast<float>(rect.minX - marginX), static_cast<float>(rect.minY - marginY),
+            static_cast<float>(rect.maxX + marginX), static_cast<float>(rect.maxY + marginY)};
+}
 
 void ZoneScreenRects::find(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
     ++frame_;
@@ -52,10 +52,10 @@ void ZoneScreenRects::find(const FrameView& frame, const visibility::VisibleSet&
             continue;
         }
         if (of.rects.count < kMostRects) {
-            plan.rects.push_back(rectOf(frame, set, visit));
+            plan.rects.push_back(rectAround(frame, set, visit));
             ++of.rects.count;
         } else {
-            plan.rects.back() = aroundBoth(plan.rects.back(), rectOf(frame, set, visit));
+            plan.rects.back() = aroundBoth(plan.rects.back(), rectAround(frame, set, visit));
         }
     }
 }

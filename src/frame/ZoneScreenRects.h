@@ -9,6 +9,11 @@
 
 namespace limen::frame {
 
+/// The rectangle around a visit's region, NDC: minimum x and y, maximum x and y. It exceeds the region by two pixels, which
+/// covers the difference between the region and the pixels that the visit owns.
+[[nodiscard]] gpu::vec4 rectAround(const FrameView& frame, const visibility::VisibleSet& set,
+                                   const visibility::Visit& visit);
+
 /// The screen rectangles in which each zone is visible: one around the region of each visit to it. The
 /// ownership test discards every fragment outside them of an instance that is a member of that zone only, so
 /// the device culls its triangles there. Reuse it: steady frames allocate nothing.

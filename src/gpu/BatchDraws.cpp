@@ -28,7 +28,7 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
     if (frame.drawing == Drawing::Exact)
         return out;
     if (isSky(batch.program)) {
-        out.draws[0].variant.gated = frame.several;
+        out.draws[0].variant.gated = batch.gated;
     } else if (batch.gated && batch.program == frame::Program::Blended) {
         out.draws[0].variant.lamps = slots.lampsInSecond; // one part, because of the order
         return out;

@@ -120,7 +120,10 @@ std::vector<float> RenderTarget::readDepth() const {
 }
 
 std::vector<std::uint32_t> RenderTarget::readOwnership() const {
-    return read<std::uint32_t>(TargetImage::Ownership, 1);
+    std::vector<std::uint32_t> visits = read<std::uint32_t>(TargetImage::Ownership, 1);
+    for (std::uint32_t& visit : visits)
+        visit &= ~frame::gpu::kOwnedOutside;
+    return visits;
 }
 
 std::vector<LayerSum> RenderTarget::readLayers() const {

@@ -28,7 +28,8 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
     LIMEN_ASSERT(plan.constants.visitCount > 0 && plan.visits.size() >= plan.constants.visitCount,
                  "a plan has at least the root visit");
     for (const layout::OwnershipVertex& vertex : plan.ownershipVertices)
-        LIMEN_ASSERT(vertex.visit < plan.visits.size(), "an opening's visit is in the plan");
+        LIMEN_ASSERT(vertex.visit < std::min(plan.visits.size(), std::size_t{layout::kOwnedOutside}),
+                     "an opening's visit is in the plan");
     LIMEN_ASSERT(!plan.blocks.empty(), "at least the eye's block is resident");
     LIMEN_ASSERT(plan.constants.staticPieces == staticPieces, "the plan was made for this scene");
     for (std::size_t i = 0; i < plan.visits.size(); ++i) {
@@ -41,9 +42,13 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
         LIMEN_ASSERT(batch.program == frame::Program::SkyPlain ||
                          std::uint64_t{batch.first} + batch.count <= size,
                      "a batch is within the runs");
-        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain ||
+        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain || batch.count > 0 ||
                          batch.first + batch.draws <= plan.clipSets.size(),
                      "each triangle of the sky has a clip set");
+        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain ||
+                         std::uint64_t{batch.first} + batch.count <=
+                             std::max(plan.rects.size(), plan.clipSets.size()),
+                     "each rectangle of the sky is in the plan");
     }
     for (const frame::PieceRun& run : plan.runs) {
         LIMEN_ASSERT(std::uint64_t{run.firstPiece} + run.pieceCount <= staticPieces + plan.pieces.size(),
@@ -297,7 +302,10 @@ void Renderer::bindAll(const FrameRing& ring, bool withDrawn) {
 }
 
 void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
-    device_->clear(TargetImage::Ownership, std::uint32_t{0}); // the root visit's number
+    constexpr std::uint32_t kRootVisit = 0;
+    device_->clear(TargetImage::Ownership, plan.constants.rootZone == layout::kOutside
+                                               ? kRootVisit | layout::kOwnedOutside
+                                               : kRootVisit);
     if (options.shading != Shading::IdsOnly)
         device_->clear(TargetImage::Colour, clearColour(plan, options));
     if (options.wantLayers)
@@ -322,7 +330,10 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
         case frame::Program::SkyPlain:
             if (fillsVoids(draw.variant, frame))
                 device_->readDrawn();
-            device_->drawVertices(3 * batch.first, 3 * batch.draws);
+            if (batch.count > 0)
+                device_->drawVertices(layout::kSkyRectVertices + 6 * batch.first, 6 * batch.count);
+            else
+                device_->drawVertices(3 * batch.first, 3 * batch.draws);
             break;
         default:
             device_->drawIndirect(commands + draw.firstSlot * sizeof(layout::DrawCommand), draw.count);

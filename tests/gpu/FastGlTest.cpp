@@ -112,6 +112,44 @@ TEST_F(FastGlTest, aCrackTakesTheColourOfItsNeighbour_aHoleStays) {
     EXPECT_EQ(withoutIds.colour, both.fast.colour);
 }
 
+// As from outside: a house's room is seen through its door, and the sky around it takes no test (frame/SkyParts.h).
+TEST_F(FastGlTest, aSkyOfRectanglesIsThatOfTheWholePicture) {
+    SceneBuilder scene;
+    scene.root(layout::kOutside);
+    scene.visitThrough({-0.4f, -0.4f}, {0.4f, 0.4f}, 2, 2, 0);
+    scene.addWallWithOpening('A', 1, 0.4f, 2, {.members = {{layout::kOutside, 0}}});
+    const frame::FramePlan& plan = scene.finish();
+    frame::FramePlan split = plan;
+    const auto sky = std::find_if(split.batches.begin(), split.batches.end(), [](const frame::Batch& batch) {
+        return batch.program == frame::Program::SkyPlain;
+    });
+    ASSERT_NE(sky, split.batches.end());
+    split.rects = {{-1, -1, 1, -0.25f},
+                   {-1, -0.25f, -0.25f, 0.25f},
+                   {0.25f, -0.25f, 1, 0.25f},
+                   {-1, 0.25f, 1, 1},
+                   {-0.25f, -0.25f, 0.25f, 0.25f}};
+    *sky = {frame::Program::SkyPlain, true, 4, 1, 1};
+    split.batches.insert(sky, {frame::Program::SkyPlain, false, 0, 4, 1});
+    for (frame::Stage& stage : split.stages) {
+        stage.batchCount += stage.kind == frame::StageKind::Sky ? 1 : 0;
+        stage.firstBatch += stage.kind > frame::StageKind::Sky ? 1 : 0;
+    }
+    Renderer renderer(*device_, fast());
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    for (const std::uint32_t size : {37u, 64u}) {
+        const Frame whole = renderWith(renderer, plan, size, size, {.wantIds = true}),
+                    parts = renderWith(renderer, split, size, size, {.wantIds = true});
+        EXPECT_EQ(whole.ids, parts.ids);
+        EXPECT_LE(difference(whole, parts), 1);
+        const auto count = [&](std::uint32_t id) {
+            return std::count(whole.ids.begin(), whole.ids.end(), id);
+        };
+        EXPECT_GT(count(layout::kSkyId), 0);
+        EXPECT_GT(count(layout::kVoidId), 0) << "the room has no walls";
+    }
+}
+
 TEST_F(FastGlTest, countsTheSameLayers) {
     SceneBuilder scene = rooms();
     const Both both = drawBoth(scene, 32, {.wantLayers = true});

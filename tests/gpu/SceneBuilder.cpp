@@ -190,7 +190,8 @@ void SceneBuilder::addBatch(frame::Program program, bool evenEmpty) {
 void SceneBuilder::addSkyBatch(bool evenEmpty) {
     if (sky_.empty() && !evenEmpty)
         return;
-    frame::Batch batch{frame::Program::SkyObjects, false, static_cast<std::uint32_t>(plan.runs.size()), 0, 0};
+    frame::Batch batch{frame::Program::SkyObjects, plan.visits.size() > 1,
+                       static_cast<std::uint32_t>(plan.runs.size()), 0, 0};
     std::uint32_t before = 0;
     for (const auto& [number, object] : sky_) {
         layout::DrawPiece piece = upload.pieces[number];
@@ -228,7 +229,7 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     addBatch(Program::CutOut, allBatches);
     stage(frame::StageKind::Solid, first);
     first = plan.batches.size();
-    plan.batches.push_back({Program::SkyPlain, false, 0, 0, 1});
+    plan.batches.push_back({Program::SkyPlain, plan.constants.visitCount > 1, 0, 0, 1});
     addSkyBatch(allBatches);
     stage(frame::StageKind::Sky, first);
     first = plan.batches.size();

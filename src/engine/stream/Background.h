@@ -24,12 +24,20 @@ public:
         return made;
     }
 
-    /// Releases an object on another thread: the destructors of a part of the world take too long for one
-    /// frame.
+    /// Releases an object on another thread, then calls `after` there: the destructors of a part of the world take too
+    /// long for one frame.
+    template <class T, class After>
+    void discard(std::shared_ptr<T> thing, After after) {
+        if (thing == nullptr)
+            return;
+        static_cast<void>(run([thing = std::move(thing), after = std::move(after)]() mutable {
+            thing.reset();
+            after();
+        }));
+    }
     template <class T>
     void discard(std::shared_ptr<T> thing) {
-        if (thing != nullptr)
-            static_cast<void>(run([thing = std::move(thing)]() mutable { thing.reset(); }));
+        discard(std::move(thing), [] {});
     }
 
     template <class T>

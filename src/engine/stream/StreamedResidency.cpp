@@ -1,6 +1,7 @@
 #include "engine/stream/StreamedResidency.h"
 
 #include "core/Assert.h"
+#include "engine/HeapTuning.h"
 #include "frame/SceneBuilder.h"
 
 #include <algorithm>
@@ -15,12 +16,18 @@ unsigned threadsToReadOn() {
     return std::max(std::thread::hardware_concurrency() / 2, 1u);
 }
 
+void giveBack(bool wanted) {
+    if (wanted)
+        giveBackFreeMemory();
+}
+
 } // namespace
 
 StreamedResidency::StreamedResidency(Session& session) : session_(session) {
     LIMEN_ASSERT(session.isLoaded(), "streaming begins with a loaded part");
     // On failure the first part only takes more frames to upload.
     static_cast<void>(session_.renderer().makeRoom());
+    giveBack(session_.options().givesMemoryBack); // what loading needed
 }
 
 std::shared_ptr<const LoadedPart> StreamedResidency::follow(const Vec3& eye, world::SpaceIndex root) {
@@ -83,7 +90,7 @@ bool StreamedResidency::show() {
     isUploading_ = isOffered_ = false;
     session_.renderer().swap();
     coming_.planner = session_.take(std::move(coming_.planner));
-    background_.discard(std::make_shared<Coming>(std::exchange(coming_, {})));
+    release();
     streamer_.shown();
     justShown_ = session_.part().target;
     return true;
@@ -117,9 +124,13 @@ void StreamedResidency::beginToRead(const PartTarget& target) {
     LIMEN_ASSERT(!reading_.valid() && !isUploading_, "one part comes at a time");
     // The work takes copies, because the session continues meanwhile. `session` itself is only read through
     // `read`.
-    reading_ = background_.run(
-        [&session = std::as_const(session_), target, options = session_.renderer().options(),
-         before = session_.renderer().state()] { return read(session, target, options, before); });
+    reading_ = background_.run([&session = std::as_const(session_), target,
+                                options = session_.renderer().options(), before = session_.renderer().state(),
+                                givesBack = session_.options().givesMemoryBack] {
+        Result<Coming> coming = read(session, target, options, before);
+        giveBack(givesBack); // what reading needed
+        return coming;
+    });
 }
 
 void StreamedResidency::beginToUpload() {
@@ -130,10 +141,15 @@ void StreamedResidency::beginToUpload() {
         uploadError_ = begun.error();
 }
 
+void StreamedResidency::release() {
+    background_.discard(std::make_shared<Coming>(std::exchange(coming_, {})),
+                        [givesBack = session_.options().givesMemoryBack] { giveBack(givesBack); });
+}
+
 void StreamedResidency::drop() {
     if (std::exchange(isUploading_, false))
         session_.renderer().drop();
-    background_.discard(std::make_shared<Coming>(std::exchange(coming_, {})));
+    release();
 }
 
 } // namespace limen::engine

@@ -50,6 +50,8 @@ private:
     void carryOut(StreamCommand command);
     void beginToRead(const PartTarget& target);
     void beginToUpload();
+    /// Releases what has come, on another thread.
+    void release();
     void drop();
 
     Session& session_;

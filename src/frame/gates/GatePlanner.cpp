@@ -233,7 +233,7 @@ void GatePlanner::addBlended(const Input& in, std::span<const Surface> surfaces,
 
 void GatePlanner::addPlainSky(FramePlan& plan) const {
     plan.batches.push_back(
-        {Program::SkyPlain, false, slices_[0].clipSet, 0, static_cast<std::uint32_t>(outsideSlices_)});
+        {Program::SkyPlain, true, slices_[0].clipSet, 0, static_cast<std::uint32_t>(outsideSlices_)});
 }
 
 void GatePlanner::addSky(const Input& in, bool overLand) {
@@ -285,7 +285,7 @@ void GatePlanner::planPlanes(const Input& in) {
     beginStage(plan, StageKind::Sky);
     if (outsideSlices_ > 0) {
         addPlainSky(plan);
-        beginBatch(Program::SkyObjects, false, plan);
+        beginBatch(Program::SkyObjects, true, plan);
         for (const bool overLand : {false, true})
             addSky(in, overLand);
     }
@@ -327,7 +327,7 @@ void GatePlanner::planLandscape(const Input& in) {
     FramePlan& plan = in.plan;
     beginStage(plan, StageKind::Sky);
     addPlainSky(plan);
-    beginBatch(Program::SkyObjects, false, plan);
+    beginBatch(Program::SkyObjects, true, plan);
     addSky(in, false);
     endBatch(plan);
     endUsedStage(plan);
@@ -351,7 +351,7 @@ void GatePlanner::planLandscape(const Input& in) {
     }
     endUsedStage(plan);
     beginStage(plan, StageKind::Sky);
-    beginBatch(Program::SkyObjects, false, plan);
+    beginBatch(Program::SkyObjects, true, plan);
     addSky(in, true);
     endBatch(plan);
     endUsedStage(plan);

@@ -1,0 +1,83 @@
+#include "frame/SkyParts.h"
+
+#include "frame/ZoneScreenRects.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace limen::frame {
+
+namespace {
+
+constexpr int kCells = 16; ///< columns, and rows
+
+/// The cells that openings touch: a bit for each column of each row, from the lower left.
+using Touched = std::array<std::uint16_t, kCells>;
+
+int cellAt(float ndc) {
+    return static_cast<int>(std::floor(std::clamp((ndc + 1.0f) * (kCells / 2.0f), -1.0f, float{kCells})));
+}
+
+void touch(const gpu::vec4& rect, Touched& touched) {
+    const int left = std::max(cellAt(rect.x), 0), right = std::min(cellAt(rect.z), kCells - 1);
+    const int low = std::max(cellAt(rect.y), 0), high = std::min(cellAt(rect.w), kCells - 1);
+    if (left > right)
+        return;
+    const auto columns = static_cast<std::uint16_t>((2u << right) - (1u << left));
+    for (int row = low; row <= high; ++row)
+        touched[static_cast<std::size_t>(row)] |= columns;
+}
+
+float ndcOf(int cell) {
+    return static_cast<float>(cell) * (2.0f / kCells) - 1.0f; // exact
+}
+
+/// Adds the rectangles of one row's bits, which are `height` cells high.
+void addRow(std::uint16_t bits, int row, int height, std::vector<gpu::vec4>& rects) {
+    for (int at = 0; at < kCells;) {
+        const auto rest = static_cast<std::uint16_t>(bits >> at);
+        const int gap = std::countr_zero(rest);
+        if (gap >= kCells)
+            return;
+        const int wide = std::countr_one(static_cast<std::uint16_t>(rest >> gap));
+        rects.emplace_back(ndcOf(at + gap), ndcOf(row), ndcOf(at + gap + wide), ndcOf(row + height));
+        at += gap + wide;
+    }
+}
+
+/// `flip`: all bits for the cells that are not touched.
+RectRun addRects(const Touched& touched, std::uint16_t flip, FramePlan& plan) {
+    const std::size_t first = plan.rects.size();
+    for (int row = 0; row < kCells;) {
+        const std::uint16_t bits = touched[static_cast<std::size_t>(row)];
+        int end = row + 1;
+        while (end < kCells && touched[static_cast<std::size_t>(end)] == bits)
+            ++end;
+        addRow(static_cast<std::uint16_t>(bits ^ flip), row, end - row, plan.rects);
+        row = end;
+    }
+    return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(plan.rects.size() - first)};
+}
+
+constexpr std::size_t kMostSkyRects = std::size_t{kCells} * kCells;
+constexpr std::size_t kMostRectsOfAPlan = std::numeric_limits<std::uint16_t>::max();
+
+} // namespace
+
+SkyParts splitSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
+    Touched touched{};
+    for (const visibility::Visit& visit : set.visits)
+        if (visit.depth == 1) // those behind them are within their regions
+            touch(rectAround(frame, set, visit), touched);
+    if (plan.rects.size() + kMostSkyRects > kMostRectsOfAPlan)
+        touched.fill(0xFFFF);
+    SkyParts parts;
+    parts.open = addRects(touched, 0xFFFF, plan);
+    parts.tested = addRects(touched, 0, plan);
+    return parts;
+}
+
+} // namespace limen::frame
