@@ -72,6 +72,25 @@ TEST_F(TerrainGlTest, overlay_showsWhereItsAlphaIsLow_inEachRotation) {
     }
 }
 
+TEST_F(TerrainGlTest, overlay_isWithinAStepOfTheOriginalsIntegers) {
+    SceneBuilder scene;
+    constexpr std::array<int, 3> kBase{200, 3, 40}, kOver{0, 100, 255};
+    const std::uint32_t base = plain(scene, 200, 3, 40), over = plain(scene, 0, 100, 255);
+    layout::TerrainCell cell = only(layer(base));
+    cell.overlays[0] = layer(over, rampMap(scene), 0);
+    const Frame frame = drawCell(scene, cell);
+    for (std::uint32_t y = 0; y < kSize; ++y) {
+        for (std::uint32_t x = 0; x < kSize; ++x) {
+            const int alpha = alphaAt(x, y), a = alpha > 127 ? alpha + 1 : alpha;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const int merged = (kOver[c] * (256 - a) + kBase[c] * a) >> 8;
+                EXPECT_LE(std::abs(frame.at(x, y)[static_cast<int>(c)] - merged), 1)
+                    << "alpha " << alpha << " channel " << c;
+            }
+        }
+    }
+}
+
 TEST_F(TerrainGlTest, threeOverlaysAndTwoRoads_arePaintedInOrder) {
     SceneBuilder scene;
     const std::array<std::uint32_t, 4> overlays{plain(scene, 250, 0, 0), plain(scene, 0, 250, 0),

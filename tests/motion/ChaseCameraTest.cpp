@@ -3,6 +3,7 @@
 #include "motion/ChaseCamera.h"
 
 #include "geometry/Compass.h"
+#include "geometry/Tolerances.h"
 #include "motion/Hut.h"
 #include "motion/Locate.h"
 #include "motion/Walker.h"
@@ -54,8 +55,14 @@ struct Chase {
         const Standing at{camera.eye.position - Vec3(0.0, 0.0, kCameraRadius), camera.eye.space};
         return glm::length(walker.collisions().wayOut(sphere, at, walker.doors)) < 0.002;
     }
+    /// Whether the camera is in its space. It changes its space at the plane of an opening, but `locate` has a point up to
+    /// kInPlaneTolerance outside a cell inside: between the two, both spaces are right.
     [[nodiscard]] bool isWhereItSays() const {
-        return camera.eye.space == locate(walker.world(), camera.eye.position).space;
+        constexpr double kBeside = 1.01 * kInPlaneTolerance;
+        for (const Vec3& beside : {Vec3(0.0), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)})
+            if (locate(walker.world(), camera.eye.position + kBeside * beside).space == camera.eye.space)
+                return true;
+        return false;
     }
 
     Hut& hut;

@@ -56,6 +56,20 @@ TEST(Particles, moveByTheFormulasOfTheirTypes) {
     expectNear(at(ParticleType::Implode), Vec3(0, 0.25, 0) * (1.0 + std::cos(2.0)) + 4.0 * b);
 }
 
+/// The stated cases: offset (1, 2, 3), A = (0.5, 0.25, 0.125), B = (0, 0, -9.8), 2 s old, born in an unturned frame at (10, 20, 30).
+TEST(Particles, areWhereTheStatedCasesHaveThem) {
+    const auto at = [](ParticleType type) {
+        ParticleStyle style = plain(type);
+        style.a = {{0.5, 0.25, 0.125}, 1.0, 1.0};
+        style.b = {{0, 0, -9.8}, 1.0, 1.0};
+        style.c = {{2, 3, 4}, 1.0, 1.0};
+        return Vec3(10, 20, 30) + offsetAt(style, 2.0, {1, 0, 0, 0}, {1, 2, 3});
+    };
+    expectNear(at(ParticleType::Still), {11, 22, 33});
+    expectNear(at(ParticleType::LocalVelocity), {12, 22.5, 33.25});
+    EXPECT_NEAR(at(ParticleType::ParabolicLVGA).z, 13.65, 1e-9);
+}
+
 TEST(Particles, explodeFromOnePointToAllSides) {
     ParticleStyle style = plain(ParticleType::Explode);
     style.a = {{2, 0, 0}, 1.0, 1.0};

@@ -80,7 +80,7 @@ TEST(Mechanisms, entryPlaneTest) {
 }
 
 TEST(Mechanisms, exitPlaneTest) {
-    expectNeeded(hillBeforeTheTunnel, withoutShaderPart("LIMEN_WITHOUT_EXIT_TEST"), 1554);
+    expectNeeded(hillBeforeTheTunnel, withoutShaderPart("LIMEN_WITHOUT_EXIT_TEST"), 1552);
 }
 
 TEST(Mechanisms, ancestorClip) {

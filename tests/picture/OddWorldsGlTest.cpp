@@ -36,6 +36,33 @@ TEST(OddWorlds, aBlockFullOfCellsAndNoLandscape) {
     }
 }
 
+TEST(OddWorlds, aFloorAtTheHeightsOfTheRecordsCoversTheGround) {
+    // The floor's triangles are not those of the land: at one height, roundings would choose between them, pixel by pixel.
+    TestWorld world;
+    dat::LandBlock& land = world.terrain(world.home());
+    for (std::size_t i = 0; i < 81; ++i)
+        land.heights[i] = static_cast<std::uint8_t>(i / 9 + i % 9); // one plane: z = (x + y) / 12
+    const std::uint32_t paving = world.addModel(
+        {{{{-5, -3, -8.0 / 12}, {6, -2, 4.0 / 12}, {5, 4, 9.0 / 12}, {-4, 5, 1.0 / 12}}, "stone"}});
+    world.addObject(paving, frameAt({83, 71, 154.0 / 12}));
+    PictureWorld pictures(world);
+    for (double yaw = 0; yaw < 360; yaw += 40) {
+        SCOPED_TRACE(yaw);
+        const double radians = yaw * 3.14159265358979 / 180;
+        const Vec3 eye = Vec3(83, 71, 154.0 / 12 + 9) - 14.0 * Vec3(std::sin(radians), std::cos(radians), 0);
+        const Picture picture = pictures.expectClean(pictures.look(eye, yaw, -32, world::kOutside));
+        const std::uint32_t floor = picture.id(picture.frame.width / 2, picture.frame.height / 2);
+        EXPECT_GT(std::count(picture.ids.begin(), picture.ids.end(), floor), 200);
+        for (auto row = picture.ids.begin(); row != picture.ids.end(); row += picture.frame.width) {
+            const auto end = row + picture.frame.width;
+            const auto first = std::find(row, end, floor);
+            const auto last =
+                std::find(std::reverse_iterator(end), std::reverse_iterator(first), floor).base();
+            EXPECT_EQ(std::count(first, last, floor), last - first) << "no ground within the convex floor";
+        }
+    }
+}
+
 TEST(OddWorlds, portalPolygonsWithoutSurfaceWoundAndFlaggedBothWays) {
     for (const bool insideIsPositive : {false, true}) {
         for (const bool wrongFlag : {false, true}) {

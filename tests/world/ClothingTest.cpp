@@ -120,6 +120,17 @@ TEST(Clothing, changesTexturesOfOnePartOnly) {
     EXPECT_EQ(texelsOf(world, 1), (Texels{{5, 2}, {5, 2}, {1, 1}, {1, 1}}));
 }
 
+TEST(Clothing, ofATableWithoutTheSetupChangesColoursAlone) {
+    Wardrobe wardrobe;
+    wardrobe.table.parts.entries = {
+        {0x02000999, {{0, wardrobe.plainCube, {{wardrobe.coat, wardrobe.shirt}}}}}};
+    wardrobe.table.palettes.entries = {{5, {0, {{{{0, 8}}, kRed}}}}};
+    wardrobe.hut.moving.villagers[0].clothing = {{kTable, 5, {0.0}}};
+    const World world = wardrobe.load();
+    for (const std::uint32_t part : {0u, 1u})
+        EXPECT_EQ(texelsOf(world, part), (Texels{{0, 2}, {1, 2}, {4, 2}, {7, 2}}));
+}
+
 TEST(Clothing, changesMeshesOfParts) {
     Wardrobe wardrobe;
     wardrobe.table.parts.entries = {{wardrobe.setup, {{0, wardrobe.plainCube, {}}}},

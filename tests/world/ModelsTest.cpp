@@ -75,6 +75,25 @@ TEST(Models, changeLevels50MetresBeyondTheirGreatestDistance) {
     EXPECT_EQ(bandsOf(model.farther), (Bands{{100, 150}, {150, 250}})) << "then nothing";
 }
 
+TEST(Models, measureTheLevelsOfAllPartsFromTheirObject) {
+    Levels levels({{kItself, kMesh, 10, 25, 50}, {kThird, kMesh, 25, 50, 100}});
+    dat::Setup apart;
+    apart.parts = {levels.first, levels.first};
+    apart.placementFrames = {
+        {dat::Setup::kPlacementDefault, {{test::frameAt({9, 0, 0}), test::frameAt({-9, 0, 4})}, {}}}};
+    levels.source.setFlatTerrain(levels.source.home(), 1);
+    levels.source.addObject(levels.source.addSetup(apart), test::frameAt({70, 80, 2}));
+    const World world = test::loadTestWorld(levels.source);
+    std::size_t parts = 0;
+    for (const Instance& instance : world.instances) {
+        if (instance.level == kNone)
+            continue;
+        ++parts;
+        EXPECT_EQ(world.levels[instance.level].origin, localRangeSteps({70, 80, 2}));
+    }
+    EXPECT_EQ(parts, 4u) << "two levels of two parts";
+}
+
 TEST(Models, drawTheLastLevelAtEveryDistanceThatIsLeft) {
     Levels levels({{kSecond, kMesh, 0, 10, 20}, {kThird, kMesh, 20, 30, 40}});
     const Model model = levels.model(levels.setup);

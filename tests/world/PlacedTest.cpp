@@ -2,6 +2,7 @@
 #include "world/LeafPose.h"
 #include "world/Solids.h"
 #include "world/records/DoorMotion.h"
+#include "world/terrain/Terrain.h"
 
 #include <gmock/gmock.h>
 
@@ -322,7 +323,7 @@ TEST(PlacedThing, outsideMayStandOnTheGround) {
     placed.hut.moving.placed[0].isOnGround = true;
     const World world = placed.hut.load();
     ASSERT_EQ(world.placed.size(), 2u);
-    EXPECT_NEAR(world.placed[0].origin.z, 2.0, 1e-6) << "the meadow's height";
+    EXPECT_NEAR(world.placed[0].origin.z, landHeight(2.0f), 1e-6) << "the meadow's height";
     EXPECT_NEAR(world.placed[1].origin.z, 77.0, 1e-6);
     EXPECT_EQ(world.placed[0].space, kOutside);
 }

@@ -38,6 +38,21 @@ TEST(LandHash, agreesWithTheTestVectors) {
         EXPECT_EQ(splitsSouthWestNorthEast(v.x, v.y), v.southWestNorthEast);
     }
     EXPECT_DOUBLE_EQ(landRandom(0, 0, seed::kSplit), 0xAE6470DB / 4294967296.0);
+    EXPECT_EQ(landHash(1352, 1440, seed::kFrequency), 0x16DC1C97u);
+    EXPECT_EQ(landHash(1352, 1440, seed::kDisplaceX), 0x3666E6ADu);
+    EXPECT_EQ(landHash(1352, 1440, seed::kRotation), 0x6DF74D47u);
+    EXPECT_EQ(landHash(1352, 1440, seed::kScene), 0x4B261039u);
+}
+
+TEST(LandHash, cutsTheLandcellsOfABlockAsStated) {
+    constexpr std::array<std::string_view, 8> kBlockA9B4{R"(////////)", R"(////////)", R"(///\\\\\)",
+                                                         R"(//\\\\\/)", R"(//\\\///)", R"(//\\//\\)",
+                                                         R"(/\\//\\/)", R"(/\\//\//)"};
+    for (int row = 0; row < 8; ++row) // the first one is the northern one
+        for (int x = 0; x < 8; ++x)
+            EXPECT_EQ(splitsSouthWestNorthEast({0xA9, 0xB4}, x, 7 - row),
+                      kBlockA9B4.at(static_cast<std::size_t>(row)).at(static_cast<std::size_t>(x)) == '/')
+                << x << "," << 7 - row;
 }
 
 Ground hill() {
@@ -74,6 +89,27 @@ TEST(TerrainMesh, isSeenFromAboveAndMatchesTheGroundItself) {
         const Vec3 middle = (p[0] + p[1] + p[2]) / 3.0;
         EXPECT_NEAR(groundAt({0, 0}, ground.heights, middle.x, middle.y).z, middle.z, 1e-9);
         EXPECT_EQ(mesh.vertices[mesh.indices[0][i]].polygon, i / 3);
+    }
+}
+
+TEST(Land, isACentimetreBelowTheHeightsOfTheRecords) {
+    TestWorld source;
+    dat::LandBlock& land = source.terrain(source.home());
+    for (std::size_t i = 0; i < 81; ++i)
+        land.heights[i] = static_cast<std::uint8_t>(i * 7 % 5);
+    const World world = test::loadTestWorld(source);
+    ASSERT_EQ(world.blocks.size(), 1u);
+    for (std::size_t i = 0; i < 81; ++i) {
+        const float height = 2.0f * static_cast<float>(land.heights[i]);
+        EXPECT_EQ(world.blocks[0].heights[i], height - 0.01f);
+        const Vec3 at = world.blocks[0].origin() +
+                        Vec3(24.0 * static_cast<double>(i / 9), 24.0 * static_cast<double>(i % 9), 0.0);
+        const bool isDrawn =
+            std::any_of(world.vertices.begin(), world.vertices.end(), [&](const MeshVertex& v) {
+                return Vec3(v.position) == Vec3(at.x - world.blocks[0].origin().x,
+                                                at.y - world.blocks[0].origin().y, height - 0.01f);
+            });
+        EXPECT_TRUE(isDrawn) << "vertex " << i;
     }
 }
 
@@ -221,6 +257,30 @@ TEST(IsOnRoad, followsTheTableOfTheFormat) {
     EXPECT_FALSE(isOnRoad(ground, 0, 0));
 }
 
+TEST(IsOnRoad, agreesWithTheStatedCases) {
+    struct Case {
+        std::string_view
+            roads; ///< corners of the landcell: A south-west, B north-west, C south-east, D north-east
+        double x, y;
+        bool isOn;
+    };
+    for (const Case& c :
+         {Case{"A", 1, 1, true},  {"A", 12, 12, false},    {"B", 1, 23, true},      {"C", 23, 1, true},
+          {"D", 23, 23, true},    {"AB", 1, 12, true},     {"AC", 12, 1, true},     {"CD", 23, 12, true},
+          {"BD", 12, 23, true},   {"AD", 12, 12, true},    {"AD", 2, 22, false},    {"BC", 12, 12, true},
+          {"BC", 2, 2, false},    {"ABC", 1, 20, true},    {"ABD", 12, 23, true},   {"ACD", 12, 1, true},
+          {"BCD", 12, 23, true},  {"ABCD", 12, 12, true},  {"", 12, 12, false},     {"AB", 4.999, 12, true},
+          {"AB", 5.0, 12, false}, {"CD", 19.0, 12, false}, {"CD", 19.001, 12, true}}) {
+        Ground ground;
+        for (const char corner : c.roads) {
+            const std::size_t x = corner == 'C' || corner == 'D' ? 1 : 0,
+                              y = corner == 'B' || corner == 'D' ? 1 : 0;
+            ground.words[x * 9 + y] = 1;
+        }
+        EXPECT_EQ(isOnRoad(ground, c.x, c.y), c.isOn) << c.roads << " at " << c.x << "," << c.y;
+    }
+}
+
 struct Grove {
     TestWorld source;
     dat::SceneObject tree;
@@ -272,6 +332,20 @@ TEST(Scenery, growsAtEveryVertexInTheQuadrantOfChance) {
     }
     EXPECT_EQ(trees.size(), expected);
     EXPECT_GT(expected, 50u);
+}
+
+TEST(Scenery, standsOnAllBlocksWithContent_notOnTheNearestNineAlone) {
+    Grove grove;
+    const dat::BlockCoord far{grove.source.home().x + 3, grove.source.home().y};
+    grove.source.setFlatTerrain(far, 3, 1);
+    dat::Scene scene;
+    scene.id = 0x12000001;
+    scene.objects = {grove.tree};
+    grove.source.add(scene);
+    const World world = test::loadTestWorld(grove.source, {.radius = 3});
+    const auto trees = Grove::trees(world);
+    const auto ofFar = [&](const Instance* tree) { return tree->object >> 32 == dat::landBlockId(far); };
+    EXPECT_GT(std::count_if(trees.begin(), trees.end(), ofFar), 50);
 }
 
 TEST(Scenery, staysAwayFromRoadsBuildingsAndSteepGround) {

@@ -1,4 +1,5 @@
 // The special properties of each kind of generated world.
+#include "world/terrain/Terrain.h"
 #include "worlds/GeneratedWorlds.h"
 #include "worlds/generate/DungeonLayout.h"
 
@@ -76,8 +77,9 @@ TEST(GeneratedMap, isTheWholeMapWithTownsAndDungeons) {
         const world::World world = generated.load(coord, true, place->cell != 0 ? 0 : 1);
         EXPECT_TRUE(world.findings.empty()) << name;
         EXPECT_EQ(world.spaces.size() > 1, std::string_view(name) == "town" || place->cell != 0) << name;
-        if (place->cell == 0) { // eye height above the ground
-            EXPECT_NEAR(place->eye.z - world::terrainHeight(world, place->eye.x, place->eye.y), 1.7, 0.01)
+        if (place->cell == 0) { // eye height above the heights of the records
+            constexpr double kAbove = 1.7 + world::kLandBelowHeights;
+            EXPECT_NEAR(place->eye.z - world::terrainHeight(world, place->eye.x, place->eye.y), kAbove, 0.01)
                 << name;
         }
     }

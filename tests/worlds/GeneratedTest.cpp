@@ -165,6 +165,30 @@ TEST(Generated, furnitureChangesNoCellDoorOrPlace_andLightsRooms) {
     }
 }
 
+TEST(Generated, everyRoomAndPassageOfAFurnishedDungeonHasALight) {
+    const GeneratedWorld generated({GeneratedKind::Dungeon, 60, 5, 0.02, true});
+    std::size_t shafts = 0;
+    for (const dat::BlockCoord block : generated.blocks()) {
+        const world::World world = generated.load(block);
+        for (std::size_t s = 1; s < world.spaces.size(); ++s) {
+            const Aabb& cell = world.spaces[s].bounds;
+            if (cell.max.x - cell.min.x < 2.5 &&
+                cell.max.y - cell.min.y < 2.5) { // a shaft between two storeys
+                ++shafts;
+                continue;
+            }
+            EXPECT_TRUE(std::any_of(world.lights.begin(), world.lights.end(),
+                                    [&](const world::Light& light) {
+                                        const Vec3 beyond =
+                                            glm::max(cell.min - light.position, light.position - cell.max);
+                                        return std::max({beyond.x, beyond.y, beyond.z}) < 0.0;
+                                    }))
+                << "cell " << s << " of " << world.spaces.size();
+        }
+    }
+    EXPECT_GT(shafts, 0u);
+}
+
 TEST(Generated, sizesAndSharesOutOfRangeAreErrors) {
     const limen::test::TempDir directory;
     for (const GeneratedSpec& spec :

@@ -81,8 +81,48 @@ TEST(BlendMaps, ofLanesShowGrassInTheMiddleAndNoneOnTheTracks) {
     }
 }
 
+/// Metres around a vertex up to which water reaches: half a landcell, and the rough, swaying border.
+constexpr double kWater = 16.6;
+
+TEST(BlendMaps, ofGroundsMeetAtTheBordersOfLandcellsAndSwayBetweenThem) {
+    const Canvas corner = paintBlend(BlendShape::Corner, 2401);
+    float leastSway = 1e9f;
+    for (const std::uint32_t seed : {2404u, 2405u, 2406u}) {
+        const Canvas side = paintBlend(BlendShape::Side, seed);
+        EXPECT_LT(difference(borderOf(side, 1), borderOf(side, 3)), 0.1f) << "its two ends";
+        EXPECT_LT(difference(borderOf(side, 1), borderOf(corner, 1)), 0.1f) << "a corner beside it";
+        float most = 0.0f, least = 1.0f; // share of the landcell that the overlay covers, by rows
+        for (int y = 0; y < side.height(); ++y) {
+            float covered = 0.0f;
+            for (int x = 0; x < side.width(); ++x) {
+                covered += 1.0f - side.at(x, y).w;
+                if (x > side.width() * kWater / kLandcell)
+                    EXPECT_GT(side.at(x, y).w, 0.5f) << seed << " " << x << "," << y;
+            }
+            most = std::max(most, covered / static_cast<float>(side.width()));
+            least = std::min(least, covered / static_cast<float>(side.width()));
+        }
+        leastSway = std::min(leastSway, most - least);
+    }
+    EXPECT_GT(leastSway, 0.08f) << "2 m";
+}
+
+TEST(BlendMaps, ofGroundsCutCorners) {
+    // Two corners in a diagonal: the border between them is nearly straight, not an arc around each vertex.
+    constexpr std::uint32_t kSeeds = 12; // the roughness of one map is as large as the cut
+    double covered = 0.0;
+    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+        const Canvas corner = paintBlend(BlendShape::Corner, seed);
+        double one = 0.0;
+        for (int y = 0; y < corner.height(); ++y)
+            for (int x = 0; x < corner.width(); ++x)
+                one += 1.0 - static_cast<double>(corner.at(x, y).w);
+        covered += one / (corner.width() * corner.height()) / kSeeds;
+    }
+    EXPECT_NEAR(covered, 0.160, 0.01) << "a triangle has 0.125, a quarter of a circle 0.196";
+}
+
 TEST(Scenery, isNeverInTheStream) {
-    constexpr double kWater = 13.0; // metres around a vertex: half a landcell, and the rough border
     std::size_t count = 0;
     for (const world::Instance& instance : loaded().instances) {
         if (instance.kind != world::InstanceKind::Scenery)

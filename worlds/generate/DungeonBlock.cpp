@@ -103,9 +103,13 @@ private:
     void writePassage(const Passage& passage) {
         const LatticeRoom& from = layout_->rooms[passage.from];
         const auto way = static_cast<std::size_t>(passage.way);
-        const double rise = passage.to == kNothing ? 0.0 : layout_->rooms[passage.to].floor.z - from.floor.z;
-        begin(passage.cell, shapes_.of(passage, passage.way == Way::Up ? 0.0 : rise),
-              passagePlacement(passage, from));
+        const double rise = passage.to == kNothing || passage.way == Way::Up
+                                ? 0.0
+                                : layout_->rooms[passage.to].floor.z - from.floor.z;
+        const Placement placement = passagePlacement(passage, from);
+        begin(passage.cell, shapes_.of(passage, rise), placement);
+        if (props_.furnished && passage.way != Way::Up)
+            hangTorches(passage, rise, placement);
         const std::uint16_t count = openingCount(from, way);
         for (std::uint16_t k = 0; k < count; ++k)
             addPortal(passage.cell, from.cell, static_cast<std::uint16_t>(firstOpening(from, way) + k));
@@ -114,6 +118,14 @@ private:
         const LatticeRoom& to = layout_->rooms[passage.to];
         for (std::uint16_t k = 0; k < count; ++k)
             addPortal(passage.cell, to.cell, static_cast<std::uint16_t>(firstOpening(to, opposite(way)) + k));
+    }
+
+    void hangTorches(const Passage& passage, double rise, const Placement& placement) {
+        std::vector<Furnishing> torches;
+        furnishPassage(torches, passage, rise, props_);
+        for (const Furnishing& torch : torches)
+            addStatic(passage.cell, torch.model,
+                      {place(placement, torch.at.origin), placement.turn + torch.at.turn});
     }
 
     void addStatic(std::uint32_t cell, dat::RecordId model, const Placement& at) {

@@ -1,5 +1,6 @@
 #include "worlds/generate/Furnish.h"
 
+#include "worlds/generate/DungeonDoors.h"
 #include "worlds/generate/DungeonShapes.h"
 
 namespace limen::worlds {
@@ -210,6 +211,26 @@ void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, cons
             statics.push_back(
                 {store, {{corner.x * (size.halfX - kPiece), corner.y * (size.halfY - kPiece), 0.0}, turn}});
     }
+}
+
+void furnishPassage(std::vector<Furnishing>& statics, const Passage& passage, double rise,
+                    const Props& props) {
+    constexpr double kUp = 1.5; // metres: up to here all passages have upright walls
+    constexpr double kClear =
+        1.6; // metres: beyond the leaf of an open door; light reaches corners from there
+    constexpr double kTwoTorches = 9.0; // metres: a shorter passage has one torch
+    double south = 1e9, north = -1e9;
+    for (const Vec2& p : passageOutline(passage.door)) {
+        south = std::min(south, p.x);
+        north = std::max(north, p.x);
+    }
+    const auto torch = [&](double along, bool atNorth) {
+        const Vec3 at(along, atNorth ? north : south, kUp + rise * along / passage.length);
+        statics.push_back({props.builtIn.torch, {at, atNorth ? 0.0 : 180.0}});
+    };
+    torch(std::min(kClear, passage.length / 2), true);
+    if (passage.length >= kTwoTorches)
+        torch(passage.length - kClear, false);
 }
 
 } // namespace limen::worlds

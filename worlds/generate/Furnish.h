@@ -28,4 +28,9 @@ void furnishRoom(std::vector<Furnishing>& statics, const RoomSpec& room, std::sp
 void furnishRoom(std::vector<Furnishing>& statics, const LatticeRoom& room, const Props& props,
                  Random random);
 
+/// Adds torches on the walls of a passage that rises by `rise` metres. Coordinates of the passage (passageShell). Requires:
+/// props.furnished; a passage to the east or north.
+void furnishPassage(std::vector<Furnishing>& statics, const Passage& passage, double rise,
+                    const Props& props);
+
 } // namespace limen::worlds

@@ -1,6 +1,7 @@
 #include "worlds/generate/House.h"
 
 #include "core/Assert.h"
+#include "worlds/builtin/buildings/HouseShell.h"
 #include "worlds/generate/Furnish.h"
 #include "worlds/records/Carve.h"
 #include "worlds/shapes/RoomPlan.h"
@@ -10,6 +11,7 @@ namespace limen::worlds {
 namespace {
 
 constexpr double kWall = 0.25, kAtticHeight = 2.25, kCellarDepth = 2.25, kHatch = 1.25; ///< metres
+constexpr double kFloorUp = 0.3; ///< metres: height of the floor, for the steps before doors
 
 /// An opening of a planned room, and the room behind it.
 struct Way {
@@ -39,10 +41,12 @@ public:
         for (std::uint32_t r = 0; r < rooms_.size(); ++r)
             addCell(r);
         link();
-        addWalls();
-        addRoof();
-        if (props_.furnished)
-            addTimbers();
+        if (props_.furnished) {
+            out_.plan.exterior = buildHouseShell(houseShell());
+        } else {
+            addWalls();
+            addRoof();
+        }
         return std::move(out_);
     }
 
@@ -263,19 +267,25 @@ private:
         }
     }
 
-    /// Adds timbers before the outer walls: a post at each corner and a plate along each wall, clear of openings.
-    void addTimbers() {
-        constexpr double kProud = 0.04, kIn = 0.02, kWide = 0.2, kPlate = 0.24; // metres
-        FaceMesh& mesh = out_.plan.exterior;
-        const double w = s_.halfWidth, d = s_.depth, high = top();
-        const double out = kProud + 0.01; // no face of a post is in one plane with a plate's
-        for (const double x : {-w - out, w + out - kWide})
-            for (const double y : {-out, d + out - kWide})
-                mesh.beam({x, y, s_.foot}, {x + kWide, y + kWide, high - 0.01}, Material::Beam);
-        for (const double y : {-kProud, d - kIn})
-            mesh.beam({-w + 0.1, y, high - kPlate}, {w - 0.1, y + kProud + kIn, high - 0.06}, Material::Beam);
-        for (const double x : {-w - kProud, w - kIn})
-            mesh.beam({x, 0.1, high - kPlate}, {x + kProud + kIn, d - 0.1, high + 0.06}, Material::Beam);
+    /// The exterior as in the built-in world, at random of stone or timber-framed.
+    [[nodiscard]] HouseShell houseShell() const {
+        Random random = apartFrom(random_);
+        HouseShell shell;
+        shell.halfWidth = s_.halfWidth;
+        shell.depth = s_.depth;
+        shell.wall = kWall;
+        shell.base = s_.foot;
+        shell.top = top();
+        shell.pitch = 0.9;
+        shell.ground = -kFloorUp;
+        shell.timbered = random.chance(0.75);
+        shell.walls = shell.timbered ? Material::Plaster : Material::StoneWall;
+        shell.chimneyX = (random.chance(0.5) ? 1.0 : -1.0) * (s_.halfWidth - 0.9);
+        shell.chimneyY = random.between(0.3, 0.45) * s_.depth;
+        shell.upperFloor = s_.attic ? s_.height + kWall : 0.0;
+        for (const Opening& hole : holes_)
+            shell.holes.push_back({hole.side, hole.rect, hole.rect.v0 == 0.0});
+        return shell;
     }
 
     const HouseSpec& s_;

@@ -131,6 +131,19 @@ double crownOf(double fromMiddle, double toEnd, double u, double v, std::uint32_
     return 0.8 * strip * patch * smoothStep(0.01, 0.10, toEnd);
 }
 
+/// Shares of a landcell by which the border of two grounds sways, so that it does not follow the grid. It is 0 at the landcell's
+/// borders. Corners are cut: a line of corners then runs straight, not in steps. `u`, `v`: as in paintBlend.
+double swayOf(BlendShape shape, double u, double v, std::uint32_t seed) {
+    constexpr double kTurn = 6.283185307179586;
+    const double vary = 2.0 * random01(seed, 1, 1701) - 1.0;
+    if (shape == BlendShape::Corner) {
+        const double across = std::sin(2.0 * std::atan2(v, u));
+        return (0.10 + 0.03 * vary) * across * across;
+    }
+    const double once = 1.0 - std::cos(kTurn * v), twice = std::sin(kTurn * v) * std::sin(0.5 * kTurn * v);
+    return 0.03 * vary * once + 0.055 * (random01(seed, 2, 1701) < 0.5 ? twice : -twice);
+}
+
 } // namespace
 
 Canvas paintBlend(BlendShape shape, std::uint32_t seed) {
@@ -142,12 +155,14 @@ Canvas paintBlend(BlendShape shape, std::uint32_t seed) {
         const double rough = road ? 0.045 : 0.18;
         double distance = 0.0, crown = 0.0;
         switch (shape) {
-        case BlendShape::Corner:
         case BlendShape::RoadCorner:
-            distance = road ? (u + v) * 0.70710678 : std::hypot(u, v);
+            distance = (u + v) * 0.70710678;
+            break;
+        case BlendShape::Corner:
+            distance = std::hypot(u, v) + swayOf(shape, u, v, seed);
             break;
         case BlendShape::Side:
-            distance = u;
+            distance = u + swayOf(shape, u, v, seed);
             break;
         case BlendShape::RoadSide:
             distance = u;

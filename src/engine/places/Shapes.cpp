@@ -96,7 +96,7 @@ const std::optional<Shapes::Heights>& Shapes::heights(dat::BlockCoord coord) {
     const auto [entry, isNew] = heights_.try_emplace(dat::blockWord(coord));
     if (isNew && region_ != nullptr)
         if (const Result<dat::LandBlock> land = archive_.load<dat::LandBlock>(dat::landBlockId(coord)))
-            entry->second = world::groundOf(*land, *region_).heights;
+            entry->second = world::landOf(world::groundOf(*land, *region_)).heights;
     return entry->second;
 }
 

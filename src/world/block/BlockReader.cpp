@@ -161,7 +161,7 @@ void BlockReader::addGround(const dat::LandBlock& record, const dat::LandBlockIn
                             BlockContent& block) {
     addTerrain(record, block);
     const std::vector<SceneryObject> scenery =
-        growScenery(*block.ground, *region_, builtCells(info), records_);
+        growScenery(groundOf(record, *region_), *region_, builtCells(info), records_);
     for (std::size_t i = 0; i < scenery.size(); ++i) {
         block.objects.push_back({InstanceKind::Scenery, scenery[i].model, objectId(record.id, i),
                                  scenery[i].origin, scenery[i].orientation, scenery[i].scale, kOutdoorSpace});
@@ -170,7 +170,7 @@ void BlockReader::addGround(const dat::LandBlock& record, const dat::LandBlockIn
 
 void BlockReader::addTerrain(const dat::LandBlock& record, BlockContent& block) {
     LIMEN_ASSERT(region_ != nullptr, "heights are in the Region");
-    block.ground = groundOf(record, *region_);
+    block.ground = landOf(groundOf(record, *region_));
     block.heightIndices.assign(record.heights.begin(), record.heights.end());
     block.terrain = terrainMesh(
         *block.ground, [this](int x, int y) { return x < 0 || y < 0 ? std::nullopt : heightAt(x, y); });
@@ -192,7 +192,7 @@ std::optional<float> BlockReader::heightAt(int globalX, int globalY) {
                 continue;
             const auto index = static_cast<std::size_t>((globalX - x * 8) * 9 + globalY - y * 8);
             const float z = region_->landDefs.heights[land->heights[index]];
-            return std::isfinite(z) ? std::optional(z) : std::nullopt;
+            return std::isfinite(z) ? std::optional(landHeight(z)) : std::nullopt;
         }
     }
     return std::nullopt;

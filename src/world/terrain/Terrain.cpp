@@ -82,6 +82,12 @@ Ground groundOf(const dat::LandBlock& record, const dat::Region& region) {
     return ground;
 }
 
+Ground landOf(Ground ground) {
+    for (float& height : ground.heights)
+        height = landHeight(height);
+    return ground;
+}
+
 MeshData terrainMesh(const Ground& ground, const HeightLookup& neighbours) {
     const Patch patch(ground, neighbours);
     std::array<Vec3f, 81> normals;

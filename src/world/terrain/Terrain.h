@@ -30,8 +30,18 @@ private:
         return words[static_cast<std::size_t>(x * 9 + y)];
     }
 };
-/// Heights that are not finite become 0; others are clamped to 100 km.
+/// The ground at the heights of the records, on which scenery stands. Heights that are not finite become 0; others are clamped
+/// to 100 km.
 [[nodiscard]] Ground groundOf(const dat::LandBlock& record, const dat::Region& region);
+
+/// Metres: the land is this much below the heights of the records (decision 194), so that floors at those heights cover it.
+inline constexpr float kLandBelowHeights = 0.01f;
+/// The height of the land for a height of the records.
+[[nodiscard]] inline float landHeight(float height) {
+    return height - kLandBelowHeights;
+}
+/// The ground with the heights of the land.
+[[nodiscard]] Ground landOf(Ground ground);
 
 /// Heights of the vertices of other blocks by global vertex, metres; no value for an unknown height.
 using HeightLookup = std::function<std::optional<float>(int globalX, int globalY)>;

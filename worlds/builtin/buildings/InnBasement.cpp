@@ -36,7 +36,7 @@ CellPlan basement(Kit& k) {
                       {f.jug, {{2.3, 7.6, kBasement + 0.76}, 0.0}},
                       {f.candle, {{2.4, 7.0, kBasement + 0.76}, 0.0}},
                       {f.lantern, {{0.2, 7.9625, -0.62}, 0.0}},
-                      {f.lantern, {{3.5, 8.0, -0.62}, 30.0}}});
+                      {f.lantern, {{2.3, 6.5625, -0.62}, 30.0}}});
 }
 
 CellPlan vault(Kit& k) {

@@ -14,7 +14,7 @@ namespace {
 void stand(LandblockWriter& block, dat::BlockCoord coord, dat::RecordId model, double x, double y,
            double turn) {
     const Vec3 area = toArea(coord, {x, y, 0.0});
-    block.addObject({model, {{x, y, groundHeight(area.x, area.y)}, turn}});
+    block.addObject({model, {{x, y, landHeight(area.x, area.y)}, turn}});
 }
 
 void addTowerBlock(ModelWriter& writer, const DungeonProps& props, const Plants& plants, DungeonMap& map) {

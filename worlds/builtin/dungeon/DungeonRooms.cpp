@@ -181,6 +181,8 @@ std::vector<CellPlan> planSealedDungeon(ModelWriter& writer, const DungeonProps&
     complex.join(corner, back, rectOutline({{6.0, 10.0, 0.0}, {0, 1, 0}, 1.5}, 3.0));
     complex.join(back, north, rectOutline({{3.0, 10.0, 0.0}, {0, 1, 0}, 1.5}, 3.0));
     complex.join(north, hall, corridorOutline({0.0, 6.0, 0.0}, {1, 0, 0}));
+    hangTorch(complex, hall, props, {-6.0, 0.0, 1.9}, {-1.0, 0.0, 0.0});
+    hangTorch(complex, hall, props, {0.0, -6.0, 1.9}, {0.0, -1.0, 0.0});
     hangTorch(complex, east, props, {12.0, 0.0, 1.9}, {1.0, 0.0, 0.0});
     hangTorch(complex, corner, props, {12.0, 10.0, 1.9}, {1.0, 0.0, 0.0});
     hangTorch(complex, north, props, {-3.0, 9.0, 1.9}, {-1.0, 0.0, 0.0});

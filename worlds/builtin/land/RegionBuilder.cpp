@@ -34,8 +34,8 @@ struct Spread {
     double from = -2.0, to = 22.0;
     double displacement = 4.5; ///< the greatest random addition
 };
-/// Entries end 14 m before the next vertex. Water reaches half a landcell and its rough border, 13.5 m, around its vertices.
-constexpr Spread kBesideWater{-9.5, 8.0, 2.0};
+/// Entries end 17 m before the next vertex. Water reaches 16.6 m around its vertices: half a landcell, and its rough, swaying border.
+constexpr Spread kBesideWater{-7.0, 5.0, 2.0};
 
 /// Spreads entries by a fixed pattern: each entry has its own patch and a random offset inside it.
 dat::Scene makeScene(dat::RecordId id, const std::vector<Sprinkle>& sprinkles, const Spread& spread) {

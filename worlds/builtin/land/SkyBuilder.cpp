@@ -136,8 +136,8 @@ struct SkyKeyframe {
 };
 
 constexpr std::array kStates{
-    SkyKeyframe{0.00, 0.44, 0xFF9FB4E0, 1.05, 0xFF3C4666, 0xFF1A2130, 0.00, 0.00, 0.98, 1},
-    SkyKeyframe{0.19, 0.36, 0xFF9FB4E0, 1.05, 0xFF3C4666, 0xFF1A2130, 0.00, 0.00, 0.98, 1},
+    SkyKeyframe{0.00, 0.66, 0xFF9FB4E0, 1.05, 0xFF3C4666, 0xFF1A2130, 0.00, 0.00, 0.98, 1},
+    SkyKeyframe{0.19, 0.54, 0xFF9FB4E0, 1.05, 0xFF3C4666, 0xFF1A2130, 0.00, 0.00, 0.98, 1},
     SkyKeyframe{0.235, 0.05, 0xFFFF9050, 1.15, 0xFF76728E, 0xFF564A58, 0.25, 0.75, 0.80, 8},
     SkyKeyframe{0.27, 0.55, 0xFFFFA060, 1.20, 0xFF8E8692, 0xFFB08C80, 0.60, 0.90, 0.85, 30},
     SkyKeyframe{0.31, 0.66, 0xFFFFCF98, 0.95, 0xFF8890A2, 0xFFBFC3C4, 0.95, 0.35, 0.90, 45},
@@ -149,7 +149,7 @@ constexpr std::array kStates{
     SkyKeyframe{0.69, 0.64, 0xFFFFC88C, 0.95, 0xFF858898, 0xFFC4B8AE, 0.95, 0.40, 0.90, 45},
     SkyKeyframe{0.73, 0.55, 0xFFFF9455, 1.20, 0xFF8C828E, 0xFFB08472, 0.60, 0.95, 0.85, 30},
     SkyKeyframe{0.765, 0.05, 0xFFFF7848, 1.15, 0xFF726B8A, 0xFF54465A, 0.22, 0.75, 0.80, 8},
-    SkyKeyframe{0.81, 0.36, 0xFF9FB4E0, 1.05, 0xFF3C4666, 0xFF1A2130, 0.00, 0.00, 0.98, 1}};
+    SkyKeyframe{0.81, 0.54, 0xFF9FB4E0, 1.05, 0xFF3C4666, 0xFF1A2130, 0.00, 0.00, 0.98, 1}};
 
 /// The direction to the sun (by day) or the moon (by night).
 Vec3 lightDirection(double time) {
@@ -228,7 +228,7 @@ dat::DayGroup overcastDays(const Overcast& kind, dat::RecordId night, dat::Recor
 
 dat::DayGroup snowyDays(dat::RecordId night, dat::RecordId cloud, dat::RecordId snow) {
     dat::DayGroup group =
-        overcastDays({"Snow", 0.40, 1.60, 0xFFE4E8F0, 0xFF9BA0A8, 8.0f, 280.0f}, night, cloud);
+        overcastDays({"Snow", 0.40, 1.60, 0xFFE4E8F0, 0xFF9BA0A8, 8.0f, 150.0f}, night, cloud);
     group.objects.push_back(skyObject(0, 0.0, 0.0, 0.0, 0.0, kAtViewer));
     group.objects.back().script = snow;
     return group;

@@ -203,6 +203,11 @@ VertexPath caveTrack() {
     return {{15, 12}, {16, 13}, {17, 14}, {18, 15}, {19, 16}};
 }
 
+double landHeight(double x, double y) {
+    constexpr double kBelowHeights = 0.01;
+    return groundHeight(x, y) - kBelowHeights;
+}
+
 Vec3 overVertex(std::pair<int, int> vertex, double height) {
     const double x = vertex.first * kLandcell;
     const double y = vertex.second * kLandcell;

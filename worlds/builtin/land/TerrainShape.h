@@ -41,8 +41,10 @@ enum class TerrainKind : std::uint8_t {
 [[nodiscard]] double towerLevel();
 [[nodiscard]] double caveLevel();
 
-/// The height (metres) of the ground's triangle at a point of the area.
+/// The height (metres) of the records' triangle at a point of the area.
 [[nodiscard]] double groundHeight(double x, double y);
+/// The height at which the land is drawn and walked there: docs/formats/landscape.md#drawing-the-ground.
+[[nodiscard]] double landHeight(double x, double y);
 
 /// A path through vertices; consecutive ones are neighbours along an edge or a diagonal.
 using VertexPath = std::vector<std::pair<int, int>>;

@@ -38,7 +38,7 @@ public:
     }
     /// Adds a point on the ground, in coordinates of the village block.
     Route& ground(double x, double y) {
-        return add(toGlobal({192.0 + x, 192.0 + y, groundHeight(192.0 + x, 192.0 + y)}), 0);
+        return add(toGlobal({192.0 + x, 192.0 + y, landHeight(192.0 + x, 192.0 + y)}), 0);
     }
     [[nodiscard]] const Json& json() const { return json_; }
 

@@ -77,7 +77,7 @@ void plant(LandblockWriter& block, const Plants& plants) {
 } // namespace
 
 void stand(LandblockWriter& block, dat::RecordId model, double x, double y, double turn) {
-    block.addObject({model, {{x, y, groundHeight(192.0 + x, 192.0 + y)}, turn}});
+    block.addObject({model, {{x, y, landHeight(192.0 + x, 192.0 + y)}, turn}});
 }
 
 void addEastVillage(ModelWriter& writer, LandblockWriter& block, const VillageModels& models,
