@@ -111,7 +111,7 @@ void ClassicPath::begin(gpu::RenderTarget& target) {
     textures_.back() = scene_->groups().front().page;
     device_.bindStorage(storage_);
     device_.bindTextures(textures_, false);
-    device_.clear(gpu::TargetImage::Ownership, std::uint32_t{0});
+    device_.clear(gpu::TargetImage::Ownership, gpu::rootOwner(base_.constants.rootZone));
     device_.clear(gpu::TargetImage::Colour, constants.view.voidColour);
     device_.clear(gpu::TargetImage::Id, std::uint32_t{layout::kVoidId});
     device_.clear(gpu::TargetImage::Depth, 0.0f);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frame/GpuLayout.h"
 #include "gpu/device/Device.h"
 
 #include <vector>
@@ -12,6 +13,12 @@ struct LayerSum {
     std::uint32_t hash = 0; ///< sum of layerHash(id) over the polygons (shaders/include/layers.glsl)
     friend bool operator==(const LayerSum&, const LayerSum&) = default;
 };
+
+/// The value that ownership is cleared to: the number of the root visit, whose zone this is, and kOwnedOutside.
+[[nodiscard]] constexpr std::uint32_t rootOwner(std::uint32_t rootZone) {
+    constexpr std::uint32_t kRootVisit = 0;
+    return rootZone == frame::gpu::kOutside ? kRootVisit | frame::gpu::kOwnedOutside : kRootVisit;
+}
 
 /// A place in a larger picture: the tile's lower left corner, and the size of the whole picture, in pixels. The
 /// tile may reach beyond the picture's right and upper edges; nothing is drawn there.

@@ -302,10 +302,7 @@ void Renderer::bindAll(const FrameRing& ring, bool withDrawn) {
 }
 
 void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
-    constexpr std::uint32_t kRootVisit = 0;
-    device_->clear(TargetImage::Ownership, plan.constants.rootZone == layout::kOutside
-                                               ? kRootVisit | layout::kOwnedOutside
-                                               : kRootVisit);
+    device_->clear(TargetImage::Ownership, rootOwner(plan.constants.rootZone));
     if (options.shading != Shading::IdsOnly)
         device_->clear(TargetImage::Colour, clearColour(plan, options));
     if (options.wantLayers)
