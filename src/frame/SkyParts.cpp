@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace limen::frame {
 
@@ -63,7 +62,6 @@ RectRun addRects(const Touched& touched, std::uint16_t flip, FramePlan& plan) {
 }
 
 constexpr std::size_t kMostSkyRects = std::size_t{kCells} * kCells;
-constexpr std::size_t kMostRectsOfAPlan = std::numeric_limits<std::uint16_t>::max();
 
 } // namespace
 
@@ -72,7 +70,7 @@ SkyParts splitSky(const FrameView& frame, const visibility::VisibleSet& set, Fra
     for (const visibility::Visit& visit : set.visits)
         if (visit.depth == 1) // those behind them are within their regions
             touch(rectAround(frame, set, visit), touched);
-    if (plan.rects.size() + kMostSkyRects > kMostRectsOfAPlan)
+    if (plan.rects.size() + kMostSkyRects > kMaxFirstRect)
         touched.fill(0xFFFF);
     SkyParts parts;
     parts.open = addRects(touched, 0xFFFF, plan);

@@ -3,7 +3,6 @@
 #include "visibility/Region.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace limen::frame {
 
@@ -13,8 +12,6 @@ namespace {
 /// that its visit owns, with a margin: a ray passes a hundredth of a pixel beside the pixel's centre, and
 /// floats are rounded.
 constexpr double kMargin = 2.0;
-
-constexpr std::size_t kMaxFirst = std::numeric_limits<std::uint16_t>::max();
 
 gpu::vec4 aroundBoth(const gpu::vec4& a, const gpu::vec4& b) {
     return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.z, b.z), std::max(a.w, b.w)};
@@ -44,7 +41,7 @@ void ZoneScreenRects::find(const FrameView& frame, const visibility::VisibleSet&
         const visibility::Visit& visit = set.visits[entry.visit];
         if (of.frame != frame_) {
             of = {frame_, {static_cast<std::uint16_t>(plan.rects.size()), 0}};
-            if (visit.depth == 0 || plan.rects.size() > kMaxFirst) {
+            if (visit.depth == 0 || plan.rects.size() > kMaxFirstRect) {
                 of.rects = {};
                 continue;
             }

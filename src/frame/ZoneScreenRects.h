@@ -5,9 +5,13 @@
 #include "visibility/VisibleSet.h"
 #include "world/World.h"
 
+#include <limits>
 #include <vector>
 
 namespace limen::frame {
+
+/// The greatest number of a rectangle that a RectRun can begin with.
+inline constexpr std::size_t kMaxFirstRect = std::numeric_limits<std::uint16_t>::max();
 
 /// The rectangle around a visit's region, NDC: minimum x and y, maximum x and y. It exceeds the region by two pixels, which
 /// covers the difference between the region and the pixels that the visit owns.

@@ -27,7 +27,7 @@ StreamedResidency::StreamedResidency(Session& session) : session_(session) {
     LIMEN_ASSERT(session.isLoaded(), "streaming begins with a loaded part");
     // On failure the first part only takes more frames to upload.
     static_cast<void>(session_.renderer().makeRoom());
-    giveBack(session_.options().givesMemoryBack); // what loading needed
+    giveBack(session_.options().givesMemoryBack); // memory that loading needed
 }
 
 std::shared_ptr<const LoadedPart> StreamedResidency::follow(const Vec3& eye, world::SpaceIndex root) {
@@ -128,7 +128,7 @@ void StreamedResidency::beginToRead(const PartTarget& target) {
                                 options = session_.renderer().options(), before = session_.renderer().state(),
                                 givesBack = session_.options().givesMemoryBack] {
         Result<Coming> coming = read(session, target, options, before);
-        giveBack(givesBack); // what reading needed
+        giveBack(givesBack); // memory that reading needed
         return coming;
     });
 }

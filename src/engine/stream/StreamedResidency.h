@@ -50,7 +50,7 @@ private:
     void carryOut(StreamCommand command);
     void beginToRead(const PartTarget& target);
     void beginToUpload();
-    /// Releases what has come, on another thread.
+    /// Releases the part that has come, on another thread.
     void release();
     void drop();
 
