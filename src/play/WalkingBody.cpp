@@ -35,6 +35,9 @@ Result<void> WalkingBody::begin(const engine::Session& session, const engine::Fr
     const Vec3 feet = request.camera.eye - Vec3(0.0, 0.0, shape_.eyeHeight);
     const Vec3 middle = shape_.capsule.middle(feet);
     body_ = motion::bodyAt({feet, motion::sweep(world, request.root, request.camera.eye, middle)});
+    // The first step settles the feet on ground within stepDown; a fall would end at a height that depends on
+    // the frame times.
+    body_.isOnGround = true;
     lag_ = 0.0;
     yaw_ = request.camera.heading.yaw;
     speed_ = metres_ = 0.0;
