@@ -68,6 +68,19 @@ TEST(BlendMaps, ofLanesContinueAcrossTheBordersOfLandcells) {
     EXPECT_LT(difference(borderOf(corner, 0), borderOf(diagonal, 0)), 0.1f);
 }
 
+/// Two landcells with a lane between them have pictures of different seeds, one of them turned by 180 degrees.
+TEST(BlendMaps, ofLanesMeetInTheMiddleOfTheirGrass) {
+    std::vector<float> first;
+    for (const std::uint32_t seed : {2408u, 2409u, 1u, 2u}) {
+        std::vector<float> middle = borderOf(paintBlend(BlendShape::RoadSide, seed), 0);
+        if (first.empty())
+            first = middle;
+        EXPECT_LT(difference(middle, first), 0.1f) << seed;
+        std::reverse(middle.begin(), middle.end());
+        EXPECT_LT(difference(middle, first), 0.1f) << seed << ", turned";
+    }
+}
+
 TEST(BlendMaps, ofLanesShowGrassInTheMiddleAndNoneOnTheTracks) {
     for (const std::uint32_t seed : {2408u, 2409u}) {
         const Canvas side = paintBlend(BlendShape::RoadSide, seed);

@@ -123,11 +123,15 @@ Canvas paintRoad() {
 
 namespace {
 
+constexpr std::uint32_t kCrownSeed = 1513;
+
 /// The share of a lane that its grassy crown covers, between the wheel tracks. `fromMiddle`: shares of a landcell from the
 /// middle; `toEnd`: from the nearer end of the lane in this landcell. Lanes bend at the ends, so the crown stops there.
+/// In the middle the crown depends on `toEnd` alone: there two landcells meet, each with a picture turned its own way.
 double crownOf(double fromMiddle, double toEnd, double u, double v, std::uint32_t seed) {
     const double strip = 1.0 - smoothStep(0.010, 0.032, fromMiddle + 0.012 * fbm(u, v, 12, 12, 3, seed + 1));
-    const double patch = smoothStep(-0.22, 0.12, fbm(u, v, 7, 7, 3, seed + 2));
+    const double shared = fbm(0.0, toEnd, 14, 14, 3, kCrownSeed), own = fbm(u, v, 7, 7, 3, seed + 2);
+    const double patch = smoothStep(-0.22, 0.12, shared + (own - shared) * smoothStep(0.004, 0.03, fromMiddle));
     return 0.8 * strip * patch * smoothStep(0.01, 0.10, toEnd);
 }
 
