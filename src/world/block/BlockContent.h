@@ -36,6 +36,7 @@ struct CellShape {
 struct CellContent {
     dat::RecordId id = 0;
     bool seenOutside = false, ofBuilding = false;
+    Vec3 origin{0.0}; ///< of its own frame, block-local
     MeshData shell; ///< block-local
     std::vector<dat::RecordId> surfaces;
     std::vector<bool> clamp;                        ///< by slot: false if its picture repeats
