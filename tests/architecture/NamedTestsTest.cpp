@@ -14,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 using Suites = std::map<std::string, std::set<std::string>>; // names of tests by suite
 
-const fs::path kSourceFolder = LIMEN_SOURCE_DIR;
+const fs::path kNamedTestsRoot = LIMEN_SOURCE_DIR;
 
-std::string textOf(const fs::path& file) {
+std::string contentOf(const fs::path& file) {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -66,10 +66,10 @@ std::vector<std::string> missing(const std::string& cell, const Suites& suites) 
 
 Suites allSuites() {
     Suites suites;
-    for (const auto& entry : fs::recursive_directory_iterator(kSourceFolder / "tests")) {
+    for (const auto& entry : fs::recursive_directory_iterator(kNamedTestsRoot / "tests")) {
         if (entry.path().extension() != ".cpp")
             continue;
-        addTests(textOf(entry.path()), suites);
+        addTests(contentOf(entry.path()), suites);
         suites[entry.path().stem().string()]; // a file of tests may be named as a whole
     }
     return suites;
@@ -94,7 +94,7 @@ TEST(NamedTests, areReadFromTheLastColumnOfTables) {
 TEST(NamedTests, ofThePagesOnTheOriginalExist) {
     const Suites suites = allSuites();
     for (const char* page : {"docs/retail.md", "docs/uncertain.md"}) {
-        const std::vector<std::string> cells = testCells(textOf(kSourceFolder / page));
+        const std::vector<std::string> cells = testCells(contentOf(kNamedTestsRoot / page));
         EXPECT_GT(cells.size(), 5u) << page;
         for (const std::string& cell : cells) {
             EXPECT_NE(cell.find('`'), std::string::npos) << page << ": a row without a test:" << cell;

@@ -81,7 +81,9 @@ void expectNear(const Vec3& place, const Vec3& expected) {
 
 TEST(PlaceSky, isAroundTheEye_theCornerOfItsLandblock_orItsCell) {
     MoonlitRooms source;
-    source.rooms.world.addBox({40, 40, 0}, {44, 44, 3}, "brown", {.frame = frameAt({41, 42, 1.5})});
+    TestWorld::CellOptions moved;
+    moved.frame = frameAt({41, 42, 1.5});
+    source.rooms.world.addBox({40, 40, 0}, {44, 44, 3}, "brown", moved);
     PlannedWorld planned(source.rooms.world);
     const world::SpaceIndex inside = world::findCell(planned.world, source.rooms.world.id(source.rooms.first)),
                             away = static_cast<world::SpaceIndex>(planned.world.spaces.size() - 1);

@@ -2,6 +2,7 @@
 #include "motion/Villagers.h"
 
 #include "support/Puppet.h"
+#include "world/assemble/BodyAssembler.h"
 #include "world/Loader.h"
 
 #include <algorithm>
