@@ -18,7 +18,8 @@ constexpr const char* kOption = "--readings";
 std::string shown(std::string_view text) {
     constexpr std::size_t kMost = 40;
     std::string result(text.substr(0, kMost));
-    std::replace_if(result.begin(), result.end(), [](unsigned char c) { return c < 0x20; }, '?');
+    std::replace_if(
+        result.begin(), result.end(), [](unsigned char c) { return c < 0x20; }, '?');
     return result + (text.size() > kMost ? "..." : "");
 }
 
@@ -48,8 +49,8 @@ Result<void> take(std::string_view text, std::vector<std::string_view>& taken, w
     if (std::find(taken.begin(), taken.end(), name) != taken.end())
         return refused(fmt::format("{} is given twice; give it one value", name));
     if (!setReading(readings, name, value))
-        return refused(fmt::format("'{}' is not a value of {}; choose from {}", shown(value), name,
-                                   valuesOf(*reading)));
+        return refused(
+            fmt::format("'{}' is not a value of {}; choose from {}", shown(value), name, valuesOf(*reading)));
     taken.push_back(name);
     return {};
 }
@@ -86,7 +87,8 @@ void addReadings(CLI::App& command, world::Readings& readings) {
     command
         .add_option_function<std::string>(
             kOption, [&readings](const std::string& text) { readings = *parseReadings(text); },
-            "choose readings of what the format leaves open, e.g. sky-place=block,cell-fog=none; names and values: " +
+            "choose readings of what the format leaves open, e.g. sky-place=block,cell-fog=none; names and "
+            "values: " +
                 readingsNotation() + " (the first of each, and the greatest number)")
         ->type_name("NAME=VALUE,...")
         ->check(CLI::Validator(fault, ""))

@@ -84,7 +84,8 @@ std::string readingsOption(const world::Readings& readings) {
 
 std::string reproduction(const world::World& world, const FrameRequest& request,
                          const std::string& datOption) {
-    return "limen shot" + datOption + readingsOption(world.readings) + " " + check::shotOptions(viewOf(request, world));
+    return "limen shot" + datOption + readingsOption(world.readings) + " " +
+           check::shotOptions(viewOf(request, world));
 }
 
 } // namespace limen::engine

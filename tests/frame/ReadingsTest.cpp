@@ -67,8 +67,7 @@ struct MoonlitRooms {
 
 /// The origin of the only sky object, global.
 Vec3 originSeenFrom(PlannedWorld& planned, const Vec3& local, world::SpaceIndex root) {
-    const frame::FrameView view =
-        frame::makeView(planned.origin + local, 0.0, 0.0, 75.0, 320, 200, root);
+    const frame::FrameView view = frame::makeView(planned.origin + local, 0.0, 0.0, 75.0, 320, 200, root);
     std::vector<world::SkyPlacement> placements;
     frame::placeSky(planned.world, view, placements);
     EXPECT_EQ(placements.size(), 1u);
@@ -85,7 +84,8 @@ TEST(PlaceSky, isAroundTheEye_theCornerOfItsLandblock_orItsCell) {
     moved.frame = frameAt({41, 42, 1.5});
     source.rooms.world.addBox({40, 40, 0}, {44, 44, 3}, "brown", moved);
     PlannedWorld planned(source.rooms.world);
-    const world::SpaceIndex inside = world::findCell(planned.world, source.rooms.world.id(source.rooms.first)),
+    const world::SpaceIndex inside =
+                                world::findCell(planned.world, source.rooms.world.id(source.rooms.first)),
                             away = static_cast<world::SpaceIndex>(planned.world.spaces.size() - 1);
     const Vec3 outdoors(100.5, 30.25, 17.0), indoors(92, 91, 1.5);
     expectNear(originSeenFrom(planned, outdoors, world::kOutside), planned.origin + outdoors);

@@ -25,8 +25,8 @@ protected:
         scene.plan.constants.landAmbient = scene.plan.constants.skyAmbient = {0, 0, 0, 0};
         scene.upload.lightSets.push_back({lit.kind, 0, 0, 0});
         const bool isBlended = lit.program == frame::Program::Blended;
-        const std::uint32_t material = scene.addMaterial({1, 1, 1, 1}, layout::kNoTexture,
-                                                         isBlended ? layout::kMaterialAlpha : 0);
+        const std::uint32_t material =
+            scene.addMaterial({1, 1, 1, 1}, layout::kNoTexture, isBlended ? layout::kMaterialAlpha : 0);
         scene.upload.materials.back().luminosity = lit.luminosity;
         scene.upload.materials.back().diffuse = lit.diffuse;
         const float half = 4 / lit.scale;
@@ -59,7 +59,8 @@ protected:
     void expectGrey(SceneBuilder& scene, const Defines& defines, double share, const std::string& what) {
         for (const Drawing drawing : {Drawing::Exact, Drawing::Fast}) {
             const glm::ivec3 colour = drawn(scene, drawing, defines);
-            EXPECT_NEAR(colour.x, 255 * share, 1.5) << what << (drawing == Drawing::Fast ? " fast" : " exact");
+            EXPECT_NEAR(colour.x, 255 * share, 1.5)
+                << what << (drawing == Drawing::Fast ? " fast" : " exact");
             EXPECT_EQ(colour.x, colour.y) << what;
         }
     }
@@ -176,11 +177,10 @@ TEST_F(ReadingsGlTest, grainOfTheGroundIsUnlit_butUnderFog) {
         instance.membersAndKind = (instance.membersAndKind & layout::kMostMembers) | 1u << 16; // ground
     const double ground = 200 / 255.0, grains = 100 / 255.0, covered = 128 / 255.0;
     for (const bool isFoggy : {false, true}) {
-        scene.plan.constants.fogRange =
-            isFoggy ? glm::vec4(-1e6f, 1e6f, 0, 0) : glm::vec4(1e6f, 2e6f, 0, 0);
+        scene.plan.constants.fogRange = isFoggy ? glm::vec4(-1e6f, 1e6f, 0, 0) : glm::vec4(1e6f, 2e6f, 0, 0);
         const double clear = isFoggy ? 0.5 : 1.0;
-        expectGrey(scene, {"GRAIN_UNLIT"},
-                   clear * (0.4 * ground * (1 - covered) + grains * covered), "unlit");
+        expectGrey(scene, {"GRAIN_UNLIT"}, clear * (0.4 * ground * (1 - covered) + grains * covered),
+                   "unlit");
         expectGrey(scene, {}, clear * 0.4 * (ground * (1 - covered) + grains * covered), "default");
     }
 }

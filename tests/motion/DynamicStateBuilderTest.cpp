@@ -2,8 +2,8 @@
 #include "motion/Villagers.h"
 
 #include "support/Puppet.h"
-#include "world/assemble/BodyAssembler.h"
 #include "world/Loader.h"
+#include "world/assemble/BodyAssembler.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

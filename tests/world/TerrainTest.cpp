@@ -250,8 +250,8 @@ TEST(TerrainCells, ofWaterArePaintedAsOtherGround) {
         EXPECT_EQ(world.textures.at(cell.base.texture)->rgba[0], 0xC0) << "the picture of its row";
         EXPECT_EQ(cell.overlays[0].texture, kNone);
     }
-    for (const Material& material : world.materials)
-        EXPECT_EQ(material.surfaceClass, SurfaceClass::Opaque) << "no surface of water is added";
+    for (const Instance& instance : world.instances)
+        EXPECT_EQ(instance.kind, InstanceKind::Terrain) << "no surface of water is added";
 }
 
 TEST(IsOnRoad, followsTheTableOfTheFormat) {

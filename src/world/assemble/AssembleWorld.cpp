@@ -29,7 +29,8 @@ const dat::Region* regionWithSky(const dat::Region* region) {
 /// shells, whatever the terrain types of the rows are.
 Details detailsOf(const dat::Region& region, const Readings& readings, Materials& materials) {
     Details details;
-    const std::size_t count = readings.details == DetailPictures::On ? 3 : 1; // the option concerns walls alone
+    const std::size_t count =
+        readings.details == DetailPictures::On ? 3 : 1; // the option concerns walls alone
     const std::vector<dat::TerrainTexture>& rows = region.texMerge.textures;
     const std::array<DetailPicture*, 3> pictures{&details.land, &details.exteriors, &details.shells};
     for (std::size_t i = 0; i < std::min(count, rows.size()); ++i) {

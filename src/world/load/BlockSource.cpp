@@ -13,7 +13,8 @@ constexpr std::size_t kMostEnvironments = 64; // kept decoded from block to bloc
 
 /// The objects of one thread.
 struct BlockSource::Worker {
-    Worker(const dat::Archive& archive, const dat::Region* region, const LevelLimits& levels, LoadCache* cache)
+    Worker(const dat::Archive& archive, const dat::Region* region, const LevelLimits& levels,
+           LoadCache* cache)
         : records(archive), models(records, levels, cache != nullptr ? &cache->models : nullptr),
           merged(records, models, region, true), apart(records, models, region, false) {}
 

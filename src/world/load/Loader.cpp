@@ -80,7 +80,8 @@ Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, con
     Models models(records, levels, help.cache != nullptr ? &help.cache->models : nullptr);
     PictureCache* const pictures = help.cache != nullptr ? &help.cache->pictures : nullptr;
     World world = assembleWorld(
-        {records, models, region->get(), pictures, options.readings}, [&stream] { return stream.next(); }, moving);
+        {records, models, region->get(), pictures, options.readings}, [&stream] { return stream.next(); },
+        moving);
     if (help.progress != nullptr && help.progress->isCancelled)
         return fail(ErrorCode::Unreadable, archive.directory().string(), "loading was cancelled");
     if (world.blocks.empty())

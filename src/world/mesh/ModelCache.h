@@ -12,7 +12,7 @@ struct ModelCache {
         : models(mostModelBytes), parts(mostPartBytes) {}
 
     LruCache<std::pair<dat::RecordId, LevelLimits>, Found<Model>> models;
-    LruCache<dat::RecordId, Found<std::optional<PartMesh>>> parts;   ///< no value: the record is damaged
+    LruCache<dat::RecordId, Found<std::optional<PartMesh>>> parts; ///< no value: the record is damaged
 };
 
 /// Estimated size in memory, bytes.
