@@ -242,11 +242,20 @@ world::SpaceIndex NaiveTracer::beyondPassed(world::SpaceIndex space, const Vec3&
                (world_.portals[portal.reciprocal].plane.signedDistance(eye) > 0.0 &&
                 isIn(world_.portals[portal.reciprocal]));
     };
+    const auto isNearest = [&](world::PortalIndex i) {
+        const world::Portal& portal = world_.portals[i];
+        const double distance = std::abs(portal.plane.signedDistance(eye));
+        for (const world::Portal& other : world_.portals)
+            if (other.space == portal.space && other.destination == portal.destination && &other != &portal &&
+                other.cornerCount >= 3 && std::abs(other.plane.signedDistance(eye)) < distance && isIn(other))
+                return false;
+        return true;
+    };
     world::PortalIndex back = world::kNone;
     for (int passed = 0; passed < 4; ++passed) {
         const world::Space& from = world_.spaces[space];
         world::PortalIndex portal = from.firstPortal;
-        while (portal < from.firstPortal + from.portalCount && (portal == back || !isPassed(portal)))
+        while (portal < from.firstPortal + from.portalCount && (portal == back || !isPassed(portal) || !isNearest(portal)))
             ++portal;
         if (portal == from.firstPortal + from.portalCount)
             break;
