@@ -175,7 +175,8 @@ void Openings::offer(world::PortalIndex i, const RayFrame& ray, const Leaving& f
     const bool shut = !from.shut.empty() && from.shut[i] != 0;
     // No ray leaves by a shut portal, so it cannot hold the eye either.
     const bool inPlane =
-        from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) && !contains(from.notAgain, i);
+        from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) && !contains(from.notAgain, i) &&
+        (side >= -opening.before || isNearest(i, ray.eye));
     const double at = inPlane ? 0.0 : side / speed;
     if (!inPlane && (!(side > 0.0 && at > from.after) || (shut && at < from.nearPlane)))
         return;

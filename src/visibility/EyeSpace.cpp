@@ -28,10 +28,11 @@ bool isPassed(const Graph& graph, const Graph::Portal& portal, const Vec3& eye) 
     return back.plane.signedDistance(eye) > 0.0 && isInside(graph, back, eye);
 }
 
-/// Whether no other opening into the same space is nearer to the eye. Of the parts of an opening that is not flat, the nearest
-/// tells the side of the eye.
-bool isNearest(const Graph& graph, const Graph::Space& here, std::uint32_t index, const Vec3& eye) {
+} // namespace
+
+bool isNearestOpening(const Graph& graph, std::uint32_t index, const Vec3& eye) {
     const Graph::Portal& portal = graph.portals()[index];
+    const Graph::Space& here = graph.spaces()[portal.space];
     const double distance = std::abs(portal.plane.signedDistance(eye));
     for (std::uint32_t p = here.firstPortal; p < here.firstPortal + here.portalCount; ++p) {
         const Graph::Portal& other = graph.portals()[p];
@@ -42,8 +43,6 @@ bool isNearest(const Graph& graph, const Graph::Space& here, std::uint32_t index
     return true;
 }
 
-} // namespace
-
 std::uint32_t spaceOfEye(const Graph& graph, const Vec3& eye, std::uint32_t root) {
     std::uint32_t space = root, cameBy = kNone;
     for (int passed = 0; passed < kMostPassed; ++passed) {
@@ -52,7 +51,7 @@ std::uint32_t spaceOfEye(const Graph& graph, const Vec3& eye, std::uint32_t root
         for (std::uint32_t p = here.firstPortal; p < here.firstPortal + here.portalCount && next == kNone;
              ++p) {
             const bool isBack = cameBy != kNone && graph.portals()[cameBy].reciprocal == p;
-            if (!isBack && isPassed(graph, graph.portals()[p], eye) && isNearest(graph, here, p, eye))
+            if (!isBack && isPassed(graph, graph.portals()[p], eye) && isNearestOpening(graph, p, eye))
                 next = p;
         }
         if (next == kNone)
