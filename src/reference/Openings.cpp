@@ -174,9 +174,8 @@ void Openings::offer(world::PortalIndex i, const RayFrame& ray, const Leaving& f
     const double side = opening.plane.signedDistance(ray.eye);
     const bool shut = !from.shut.empty() && from.shut[i] != 0;
     // No ray leaves by a shut portal, so it cannot hold the eye either.
-    const bool inPlane =
-        from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) && !contains(from.notAgain, i) &&
-        (side >= -opening.before || isNearest(i, ray.eye));
+    const bool inPlane = from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) &&
+                         !contains(from.notAgain, i) && (side >= -opening.before || isNearest(i, ray.eye));
     const double at = inPlane ? 0.0 : side / speed;
     if (!inPlane && (!(side > 0.0 && at > from.after) || (shut && at < from.nearPlane)))
         return;
@@ -245,10 +244,11 @@ bool Openings::isNearest(world::PortalIndex portal, const Vec3& eye) const {
     const world::Portal& of = world_.portals[portal];
     const SpaceOpenings& here = spaces_[of.space];
     const double distance = std::abs(openings_[portal].plane.signedDistance(eye));
-    return std::none_of(order_.begin() + here.first, order_.begin() + here.first + here.count, [&](world::PortalIndex i) {
-        return i != portal && world_.portals[i].destination == of.destination &&
-               std::abs(openings_[i].plane.signedDistance(eye)) < distance && isWithin(openings_[i], eye);
-    });
+    return std::none_of(
+        order_.begin() + here.first, order_.begin() + here.first + here.count, [&](world::PortalIndex i) {
+            return i != portal && world_.portals[i].destination == of.destination &&
+                   std::abs(openings_[i].plane.signedDistance(eye)) < distance && isWithin(openings_[i], eye);
+        });
 }
 
 world::SpaceIndex Openings::spaceOfEye(world::SpaceIndex root, const Vec3& eye) const {

@@ -69,7 +69,9 @@ TEST(BentDoor, stopsABodyWhereverItWalks) {
             walker.doors = {open};
             walker.put({2.0, y, 0.0}, walker.space(doorway.rooms.a));
             walker.go(test::kYawEast, 2.0);
-            EXPECT_EQ(walker.body.standing.space, walker.space(open > 0.0 ? doorway.rooms.b : doorway.rooms.a)) << y << " " << open;
+            EXPECT_EQ(walker.body.standing.space,
+                      walker.space(open > 0.0 ? doorway.rooms.b : doorway.rooms.a))
+                << y << " " << open;
         }
     }
 }

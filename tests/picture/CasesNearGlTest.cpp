@@ -169,7 +169,8 @@ TEST_P(CasesNear, case49_anEyeAtAnOpeningThatIsNotFlat) {
         for (const double y : {80.7, 82.02, 83.3}) {
             for (const double past : {-2e-3, -8e-4, -3e-4, -5e-5, 5e-5, 3e-4, 8e-4, 2e-3}) {
                 const Vec3 eye(84 + past, y, -10.7);
-                const world::SpaceIndex root = motion::sweep(pictures.world(), space, home + start, home + eye);
+                const world::SpaceIndex root =
+                    motion::sweep(pictures.world(), space, home + start, home + eye);
                 for (const double yaw : {2.0, 88.0, 179.0, 271.0})
                     pictures.expectClean(pictures.look(eye, yaw, 3, root));
             }

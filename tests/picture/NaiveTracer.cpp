@@ -259,7 +259,8 @@ world::SpaceIndex NaiveTracer::beyondPassed(world::SpaceIndex space, const Vec3&
     for (int passed = 0; passed < 4; ++passed) {
         const world::Space& from = world_.spaces[space];
         world::PortalIndex portal = from.firstPortal;
-        while (portal < from.firstPortal + from.portalCount && (portal == back || !isPassed(portal) || !isNearest(portal, eye)))
+        while (portal < from.firstPortal + from.portalCount &&
+               (portal == back || !isPassed(portal) || !isNearest(portal, eye)))
             ++portal;
         if (portal == from.firstPortal + from.portalCount)
             break;

@@ -10,8 +10,8 @@ namespace limen::test {
 /// three. Block-local.
 struct BentRooms {
     /// `middle`: x of the opening, metres. `off`: metres by which its corner at (y = 4, z = high) is moved in x.
-    BentRooms(TestWorld& source, double middle, double off, const Vec3& low = {0, 0, 0}, const char* surfaceOfA = "grey",
-              const char* surfaceOfB = "grey")
+    BentRooms(TestWorld& source, double middle, double off, const Vec3& low = {0, 0, 0},
+              const char* surfaceOfA = "grey", const char* surfaceOfB = "grey")
         : opening{{middle, low.y, low.z},
                   {middle, low.y + 4, low.z},
                   {middle + off, low.y + 4, low.z + 3},

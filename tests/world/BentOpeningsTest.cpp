@@ -115,7 +115,8 @@ TEST(BentOpenings, leaveIndicesOfOtherPortalsRight) {
 
 TEST(BentOpenings, leadOutside) {
     DoorRooms rooms;
-    const TestWorld::Portal exit = rooms.source.openOutside(rooms.b, {{8, 1, 0}, {8, 2, 0}, {8.002, 2, 2}, {8, 1, 2}});
+    const TestWorld::Portal exit =
+        rooms.source.openOutside(rooms.b, {{8, 1, 0}, {8, 2, 0}, {8.002, 2, 2}, {8, 1, 2}});
     rooms.source.addBuilding(test::boxExterior({0, 0, 0}, {8, 4, 3}), {exit});
     const World world = test::loadTestWorld(rooms.source);
     ASSERT_EQ(world.spaces[kOutside].portalCount, 2u);

@@ -1,7 +1,7 @@
 // Properties of generated worlds of every kind, size and seed.
 #include "motion/Locate.h"
-#include "worlds/GeneratedWorlds.h"
 #include "world/OpeningParts.h"
+#include "worlds/GeneratedWorlds.h"
 
 #include <fmt/format.h>
 #include <fstream>

@@ -98,7 +98,8 @@ std::optional<DoorOpening> findOpening(const World& world, const DoorBox& box) {
     PortalIndex found = kNone;
     for (PortalIndex p = 0; p < world.portals.size(); ++p) {
         // The outside's portals are the other sides of cells' portals.
-        if (world.portals[p].part > 0 || (world.portals[p].space == kOutside && world.portals[p].reciprocal != kNone))
+        if (world.portals[p].part > 0 ||
+            (world.portals[p].space == kOutside && world.portals[p].reciprocal != kNone))
             continue;
         const Portal& portal = openingOf(world, p);
         if (portal.cornerCount < 3)

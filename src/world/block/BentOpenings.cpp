@@ -71,7 +71,8 @@ public:
     void finish() {
         std::vector<std::uint32_t> first{0}; // by old portal: its new index
         for (const std::vector<PortalContent>& parts : parts_)
-            first.push_back(first.back() + static_cast<std::uint32_t>(std::max<std::size_t>(parts.size(), 1)));
+            first.push_back(first.back() +
+                            static_cast<std::uint32_t>(std::max<std::size_t>(parts.size(), 1)));
         std::vector<PortalContent> portals;
         portals.reserve(first.back());
         for (std::size_t p = 0; p < parts_.size(); ++p)
@@ -86,8 +87,8 @@ public:
     }
 
 private:
-    void replace(PortalContent& portal, std::vector<PortalContent>& parts, const std::vector<std::uint32_t>& first,
-                 std::vector<PortalContent>& portals) {
+    void replace(PortalContent& portal, std::vector<PortalContent>& parts,
+                 const std::vector<std::uint32_t>& first, std::vector<PortalContent>& portals) {
         const std::uint32_t way = portal.reciprocal == kNone ? kNone : first[portal.reciprocal];
         if (parts.empty()) {
             portals.push_back(std::move(portal));
@@ -117,7 +118,8 @@ void splitBentOpenings(BlockContent& block) {
         const PortalContent& portal = block.portals[p];
         if (portal.reciprocal == kNone || portal.reciprocal < p || !portal.exact || portal.points.size() < 4)
             continue;
-        LIMEN_ASSERT(block.portals[portal.reciprocal].reciprocal == p, "the way back of a way back is the portal itself");
+        LIMEN_ASSERT(block.portals[portal.reciprocal].reciprocal == p,
+                     "the way back of a way back is the portal itself");
         if (isBent(portal) || isBent(block.portals[portal.reciprocal]))
             splitting.split(p, portal.reciprocal);
     }

@@ -20,8 +20,8 @@ struct PortalContent {
     bool exact = true;
     bool walled = false; ///< its polygon is drawn towards `space`, and is opaque
     std::uint16_t recordIndex = 0, polygonId = 0;
-    std::uint16_t part = 0, partCount = 1; ///< as Portal::part
-    std::uint32_t whole = kNone;           ///< index into BlockContent::wholes
+    std::uint16_t part = 0, partCount = 1;                   ///< as Portal::part
+    std::uint32_t whole = kNone;                             ///< index into BlockContent::wholes
     std::uint16_t flags = 0, otherCell = 0, otherPortal = 0; ///< as in the record
 };
 
