@@ -36,8 +36,8 @@ TEST(WalkStart, restsAtOneHeightForAnyFrameTime) {
     for (const char* name : {"cottage.front", "cottage.room", "lane", "hill", "inn.hall"}) {
         SCOPED_TRACE(name);
         const std::vector<world::Place>& places = session.source().file.places;
-        const auto place = std::find_if(places.begin(), places.end(),
-                                        [&](const world::Place& p) { return p.name == name; });
+        const auto place =
+            std::find_if(places.begin(), places.end(), [&](const world::Place& p) { return p.name == name; });
         ASSERT_NE(place, places.end());
         const engine::ViewRequest view = engine::requestAt(*place);
         ASSERT_TRUE(session.load(engine::centreOf(view)));

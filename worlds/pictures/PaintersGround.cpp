@@ -131,7 +131,8 @@ constexpr std::uint32_t kCrownSeed = 1513;
 double crownOf(double fromMiddle, double toEnd, double u, double v, std::uint32_t seed) {
     const double strip = 1.0 - smoothStep(0.010, 0.032, fromMiddle + 0.012 * fbm(u, v, 12, 12, 3, seed + 1));
     const double shared = fbm(0.0, toEnd, 14, 14, 3, kCrownSeed), own = fbm(u, v, 7, 7, 3, seed + 2);
-    const double patch = smoothStep(-0.22, 0.12, shared + (own - shared) * smoothStep(0.004, 0.03, fromMiddle));
+    const double patch =
+        smoothStep(-0.22, 0.12, shared + (own - shared) * smoothStep(0.004, 0.03, fromMiddle));
     return 0.8 * strip * patch * smoothStep(0.01, 0.10, toEnd);
 }
 
