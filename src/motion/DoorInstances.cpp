@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "world/LeafPose.h"
+#include "world/OpeningParts.h"
 
 namespace limen::motion {
 namespace {
@@ -53,9 +54,12 @@ void addLeaves(const world::Door& door, double open, DynamicInstances& instances
 void addFilling(const world::Door& door, DynamicInstances& instances) {
     world::DynamicState& state = instances.state();
     const std::size_t first = instances.addInPlace({door.filling, 1, {}});
-    state.fillings[door.portal] = static_cast<world::InstanceIndex>(first);
+    const auto fill = [&](world::PortalIndex p) {
+        state.fillings[p] = static_cast<world::InstanceIndex>(first);
+    };
+    forParts(instances.world(), door.portal, fill);
     if (door.reciprocal != kNone)
-        state.fillings[door.reciprocal] = state.fillings[door.portal];
+        forParts(instances.world(), door.reciprocal, fill);
     instances.setSpaces(first, instances.sidesOf(instances.world().portals[door.portal]));
 }
 
@@ -73,9 +77,10 @@ void shutPortals(const world::World& world, const DynamicStateInput& input, worl
                      "a door's reciprocal is a portal of the world");
         if (!door.opaque || opennessOf(world, input, i) > 0.0)
             continue;
-        out.closed[door.portal] = 1;
+        const auto shut = [&](world::PortalIndex p) { out.closed[p] = 1; };
+        forParts(world, door.portal, shut);
         if (door.reciprocal != kNone)
-            out.closed[door.reciprocal] = 1;
+            forParts(world, door.reciprocal, shut);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
 #include "world/LeafPose.h"
+#include "world/OpeningParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ bool isNear(const world::World& world, const world::Door& door, const Vec3& midd
         const Sphere reach = world::leafReach(world, leaf);
         return glm::length(reach.centre - middle) < reach.radius + capsule.height;
     });
-    const world::Portal& portal = world.portals[door.portal];
+    const world::Portal& portal = world::openingOf(world, door.portal);
     return isNearLeaf ||
            (std::abs(portal.plane.signedDistance(middle)) < capsule.height &&
             containsProjection(world::cornersOf(world, portal), portal.plane.n, middle, capsule.height));

@@ -3,6 +3,7 @@
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
 #include "world/LeafPose.h"
+#include "world/OpeningParts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,7 @@ double aheadOf(const world::World& world, const world::Door& door, world::SpaceI
         return -1.0;
     if (door.portal == world::kNone)
         return door.space == space ? aheadOf(world, door, eye, forward) : -1.0;
-    const world::Portal& portal = world.portals[door.portal];
+    const world::Portal& portal = world::openingOf(world, door.portal);
     return portal.space == space || portal.destination == space
                ? aheadOf(world::cornersOf(world, portal), portal.plane, eye, forward)
                : -1.0;

@@ -174,8 +174,8 @@ void Openings::offer(world::PortalIndex i, const RayFrame& ray, const Leaving& f
     const double side = opening.plane.signedDistance(ray.eye);
     const bool shut = !from.shut.empty() && from.shut[i] != 0;
     // No ray leaves by a shut portal, so it cannot hold the eye either.
-    const bool inPlane =
-        from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) && !contains(from.notAgain, i);
+    const bool inPlane = from.after <= 0.0 && !shut && holdsEye(opening, ray.eye, 1.0) &&
+                         !contains(from.notAgain, i) && (side >= -opening.before || isNearest(i, ray.eye));
     const double at = inPlane ? 0.0 : side / speed;
     if (!inPlane && (!(side > 0.0 && at > from.after) || (shut && at < from.nearPlane)))
         return;
@@ -223,19 +223,32 @@ Exit Openings::nearestGrown(const RayFrame& ray, const BoxRay& boxRay, const Lea
     return exit;
 }
 
+bool Openings::isWithin(const Opening& opening, const Vec3& eye) const {
+    return containsProjection(cornersOf(opening), opening.plane.n, eye, 0.0);
+}
+
 /// Whether an eye is behind the portal's plane, farther than an eye in it and not farther than the tolerance.
 bool Openings::isPassed(world::PortalIndex portal, const Vec3& eye) const {
-    const auto isWithin = [&](const Opening& opening) {
-        return containsProjection(cornersOf(opening), opening.plane.n, eye, 0.0);
-    };
     const Opening& opening = openings_[portal];
     const double past = -opening.plane.signedDistance(eye);
-    if (past <= opening.before || past > kInPlaneTolerance || !isWithin(opening))
+    if (past <= opening.before || past > kInPlaneTolerance || !isWithin(opening, eye))
         return false;
     const world::PortalIndex back = world_.portals[portal].reciprocal;
     return world_.portals[portal].exact || back == world::kNone ||
            (openings_[back].cornerCount >= 3 && openings_[back].plane.signedDistance(eye) > 0.0 &&
-            isWithin(openings_[back]));
+            isWithin(openings_[back], eye));
+}
+
+/// Whether the eye is at no other opening from the space into the same one that is nearer.
+bool Openings::isNearest(world::PortalIndex portal, const Vec3& eye) const {
+    const world::Portal& of = world_.portals[portal];
+    const SpaceOpenings& here = spaces_[of.space];
+    const double distance = std::abs(openings_[portal].plane.signedDistance(eye));
+    return std::none_of(
+        order_.begin() + here.first, order_.begin() + here.first + here.count, [&](world::PortalIndex i) {
+            return i != portal && world_.portals[i].destination == of.destination &&
+                   std::abs(openings_[i].plane.signedDistance(eye)) < distance && isWithin(openings_[i], eye);
+        });
 }
 
 world::SpaceIndex Openings::spaceOfEye(world::SpaceIndex root, const Vec3& eye) const {
@@ -247,7 +260,8 @@ world::SpaceIndex Openings::spaceOfEye(world::SpaceIndex root, const Vec3& eye) 
         world::PortalIndex next = world::kNone;
         std::for_each(first, end, [&](world::PortalIndex i) {
             const bool isBack = cameBy != world::kNone && world_.portals[cameBy].reciprocal == i;
-            if (i < next && !isBack && world_.portals[i].destination != world::kNone && isPassed(i, eye))
+            if (i < next && !isBack && world_.portals[i].destination != world::kNone && isPassed(i, eye) &&
+                isNearest(i, eye))
                 next = i;
         });
         if (next == world::kNone)

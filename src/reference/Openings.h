@@ -102,7 +102,10 @@ private:
     /// Whether the eye is in an opening's plane and inside its polygon. `way`: 1 for rays out of its space,
     /// -1 into it.
     [[nodiscard]] bool holdsEye(const Opening& opening, const Vec3& eye, double way) const;
+    /// Whether the eye is before or behind the opening's polygon, at any distance.
+    [[nodiscard]] bool isWithin(const Opening& opening, const Vec3& eye) const;
     [[nodiscard]] bool isPassed(world::PortalIndex portal, const Vec3& eye) const;
+    [[nodiscard]] bool isNearest(world::PortalIndex portal, const Vec3& eye) const;
     void addOpening(const world::Portal& portal, const Vec3& origin);
 
     const world::World& world_;

@@ -2,6 +2,7 @@
 
 #include "geometry/ConvexPolygon.h"
 #include "geometry/Tolerances.h"
+#include "visibility/EyeSpace.h"
 #include "visibility/Outline.h"
 #include "visibility/Region.h"
 
@@ -51,7 +52,8 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, const Scre
     if (side < -kInPlaneTolerance)
         return refuse(PortalFate::WrongSide);
     ++set_.counts.portalsTested;
-    const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0);
+    const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0) &&
+                         (side >= -portal.inPlane || isNearestOpening(in_.graph, portalIndex, in_.view.eye));
     if (inPlane ? isShut : side <= 0.0)
         return refuse(PortalFate::EdgeOn); // or seen from behind: no ray of this visit passes
     if (inPlane ? !halfRegion(visit, portal) : !openingRegion(index, portal, known)) {

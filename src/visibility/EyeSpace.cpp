@@ -3,6 +3,8 @@
 #include "geometry/ConvexPolygon.h"
 #include "geometry/Tolerances.h"
 
+#include <cmath>
+
 namespace limen::visibility {
 
 namespace {
@@ -28,6 +30,19 @@ bool isPassed(const Graph& graph, const Graph::Portal& portal, const Vec3& eye) 
 
 } // namespace
 
+bool isNearestOpening(const Graph& graph, std::uint32_t index, const Vec3& eye) {
+    const Graph::Portal& portal = graph.portals()[index];
+    const Graph::Space& here = graph.spaces()[portal.space];
+    const double distance = std::abs(portal.plane.signedDistance(eye));
+    for (std::uint32_t p = here.firstPortal; p < here.firstPortal + here.portalCount; ++p) {
+        const Graph::Portal& other = graph.portals()[p];
+        if (p != index && other.destination == portal.destination &&
+            std::abs(other.plane.signedDistance(eye)) < distance && isInside(graph, other, eye))
+            return false;
+    }
+    return true;
+}
+
 std::uint32_t spaceOfEye(const Graph& graph, const Vec3& eye, std::uint32_t root) {
     std::uint32_t space = root, cameBy = kNone;
     for (int passed = 0; passed < kMostPassed; ++passed) {
@@ -36,7 +51,7 @@ std::uint32_t spaceOfEye(const Graph& graph, const Vec3& eye, std::uint32_t root
         for (std::uint32_t p = here.firstPortal; p < here.firstPortal + here.portalCount && next == kNone;
              ++p) {
             const bool isBack = cameBy != kNone && graph.portals()[cameBy].reciprocal == p;
-            if (!isBack && isPassed(graph, graph.portals()[p], eye))
+            if (!isBack && isPassed(graph, graph.portals()[p], eye) && isNearestOpening(graph, p, eye))
                 next = p;
         }
         if (next == kNone)

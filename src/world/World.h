@@ -95,6 +95,10 @@ struct Portal {
     bool exact = true;           ///< false: both polygons bound the opening
     /// Its polygon is an opaque surface of `space`. Rays and membership do not pass, bodies do.
     bool walled = false;
+    /// An opening that is not flat is cut into triangles, each a portal (world/OpeningParts.h). The number among
+    /// them, and theirs; they follow each other in World::portals.
+    std::uint16_t part = 0, partCount = 1;
+    std::uint32_t whole = kNone; ///< index into World::wholes; kNone: the portal is a whole opening
     friend bool operator==(const Portal&, const Portal&) = default;
 };
 
@@ -267,6 +271,7 @@ struct World {
     std::vector<Block> blocks;
     std::vector<Space> spaces;
     std::vector<Portal> portals;
+    std::vector<Portal> wholes; ///< the polygons of openings that are cut into parts; without a reciprocal
     std::vector<Vec3> portalCorners; ///< global; a subset of portalVertices, bit for bit
     std::vector<Vec3>
         portalVertices; ///< global; minus the origin of the portal's block: corners of its meshes

@@ -1,6 +1,8 @@
 // Hard cases 45 to 48 of docs/cases.md: cells that overlap in a loop, walls a millimetre apart, bent openings, holes of
 // inexact pairs.
+#include "motion/Locate.h"
 #include "picture/CaseHelp.h"
+#include "support/BentRooms.h"
 
 namespace limen::test {
 namespace {
@@ -153,6 +155,26 @@ TEST_P(CasesNear, case48_anInexactPairBehindTwoOpeningsWithACommonEdge) {
             pictures.look(eye, glm::degrees(std::atan2(to.x, to.y)),
                           glm::degrees(std::atan2(to.z, std::hypot(to.x, to.y))), space);
         EXPECT_EQ(pictures.judge(pictures.shoot(view)).findings(), 0u) << "view " << i;
+    }
+}
+
+// The eye is between the planes of the opening's two triangles: before one of them, behind the other.
+TEST_P(CasesNear, case49_anEyeAtAnOpeningThatIsNotFlat) {
+    for (const double off : {-0.003, 0.003}) {
+        TestWorld world;
+        const BentRooms rooms(world, 84, off, {80, 80, -12}, "brown", "blue");
+        PictureWorld pictures(world, options());
+        const Vec3 home = pictures.homeOrigin(), start(83, 81.9, -10.6);
+        const world::SpaceIndex space = pictures.space(world.id(rooms.a));
+        for (const double y : {80.7, 82.02, 83.3}) {
+            for (const double past : {-2e-3, -8e-4, -3e-4, -5e-5, 5e-5, 3e-4, 8e-4, 2e-3}) {
+                const Vec3 eye(84 + past, y, -10.7);
+                const world::SpaceIndex root =
+                    motion::sweep(pictures.world(), space, home + start, home + eye);
+                for (const double yaw : {2.0, 88.0, 179.0, 271.0})
+                    pictures.expectClean(pictures.look(eye, yaw, 3, root));
+            }
+        }
     }
 }
 

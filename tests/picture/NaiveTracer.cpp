@@ -202,6 +202,18 @@ double NaiveTracer::beforePlane(const world::Portal& portal) const {
     return std::min(before, kTolerance);
 }
 
+// False if the eye is nearer to another opening between the same two spaces.
+bool NaiveTracer::isNearest(world::PortalIndex index, const Vec3& eye) const {
+    const world::Portal& portal = world_.portals[index];
+    const double distance = std::abs(portal.plane.signedDistance(eye));
+    for (const world::Portal& other : world_.portals)
+        if (other.space == portal.space && other.destination == portal.destination && &other != &portal &&
+            other.cornerCount >= 3 && std::abs(other.plane.signedDistance(eye)) < distance &&
+            containsProjection(world::cornersOf(world_, other), other.plane.n, eye, 0.0))
+            return false;
+    return true;
+}
+
 world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray& ray, double after,
                                               world::PortalIndex cameBy, double& t) const {
     world::PortalIndex nearest = world::kNone;
@@ -215,7 +227,8 @@ world::PortalIndex NaiveTracer::nearestPortal(world::SpaceIndex space, const Ray
         const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
         const double side = portal.plane.signedDistance(ray.eye);
         const bool inPlane = after <= 0.0 && side >= -kTolerance && side <= beforePlane(portal) &&
-                             containsProjection(polygon, portal.plane.n, ray.eye, 0.0);
+                             containsProjection(polygon, portal.plane.n, ray.eye, 0.0) &&
+                             (side >= -beforePlane(portal) || isNearest(i, ray.eye));
         const double at = inPlane ? 0.0 : -side / speed;
         const bool ahead = inPlane || (side > 0.0 && at > after);
         if (ahead && at < t &&
@@ -246,7 +259,8 @@ world::SpaceIndex NaiveTracer::beyondPassed(world::SpaceIndex space, const Vec3&
     for (int passed = 0; passed < 4; ++passed) {
         const world::Space& from = world_.spaces[space];
         world::PortalIndex portal = from.firstPortal;
-        while (portal < from.firstPortal + from.portalCount && (portal == back || !isPassed(portal)))
+        while (portal < from.firstPortal + from.portalCount &&
+               (portal == back || !isPassed(portal) || !isNearest(portal, eye)))
             ++portal;
         if (portal == from.firstPortal + from.portalCount)
             break;

@@ -67,6 +67,7 @@ private:
                                                    world::PortalIndex cameBy, double& t) const;
 
     [[nodiscard]] double beforePlane(const world::Portal& portal) const;
+    [[nodiscard]] bool isNearest(world::PortalIndex portal, const Vec3& eye) const;
     [[nodiscard]] world::SpaceIndex beyondPassed(world::SpaceIndex space, const Vec3& eye) const;
     /// An inexact pair is open where both polygons are; through only one of them a ray enters a hole.
     [[nodiscard]] bool passesReciprocal(world::PortalIndex portal, const Ray& ray) const;

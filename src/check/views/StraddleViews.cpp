@@ -49,8 +49,9 @@ std::optional<View> straddleView(const Surroundings& around, const world::Portal
     world::SpaceIndex root = off > 0.0 ? portal.space : portal.destination;
     const Vec3 middle = middleOf(around.world, portal);
     const Vec3 start = point + (middle - point) * 0.2 + portal.plane.n * (off > 0.0 ? kStartOff : -kStartOff);
-    if (walk(around, root, start, eye) != root)
-        return std::nullopt;
+    RandomGenerator probes = random;
+    if (!isFreeViewpoint(around, root, start, probes) || walk(around, root, start, eye) != root)
+        return std::nullopt; // at an acute edge `start` is behind a wall, and so is the eye
     const world::PortalIndex back = portal.reciprocal;
     const bool isWalled =
         off > 0.0 ? back == world::kNone || around.world.portals[back].walled : portal.walled;

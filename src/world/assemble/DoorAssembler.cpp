@@ -3,6 +3,7 @@
 #include "core/Assert.h"
 #include "geometry/Compass.h"
 #include "world/Lookup.h"
+#include "world/OpeningParts.h"
 #include "world/mesh/ShutPane.h"
 #include "world/mesh/Triangulate.h"
 
@@ -71,8 +72,8 @@ void DoorAssembler::add(const DoorEntry& entry, std::size_t index) {
                                                    "\" names a portal that the cell does not have"});
         return;
     }
-    const Portal& portal = world_.portals[door.portal];
-    door.reciprocal = portal.reciprocal;
+    const Portal& portal = openingOf(world_, door.portal);
+    door.reciprocal = world_.portals[door.portal].reciprocal;
     door.firstLeaf = static_cast<std::uint32_t>(world_.leaves.size());
     for (const LeafEntry& leaf : entry.leaves)
         addLeaf(leaf, door, object);
@@ -84,13 +85,13 @@ void DoorAssembler::add(const DoorEntry& entry, std::size_t index) {
 
 void DoorAssembler::addPlaced(Door door, std::uint64_t object) {
     LIMEN_ASSERT(door.portal < world_.portals.size(), "a door of a database hangs in a portal of the world");
-    if (door.opaque && world_.portals[door.portal].cornerCount >= 3)
+    if (door.opaque && openingOf(world_, door.portal).cornerCount >= 3)
         door.filling = addFilling(door, object);
     world_.doors.push_back(std::move(door));
 }
 
 void DoorAssembler::addLeaf(const LeafEntry& entry, const Door& door, std::uint64_t object) {
-    const Portal& portal = world_.portals[door.portal];
+    const Portal& portal = openingOf(world_, door.portal);
     world_.leaves.push_back({entry.model,
                              bodies_.add(entry.model, InstanceKind::Filling, object),
                              entry.position,
@@ -124,7 +125,7 @@ MovingBody DoorAssembler::addShutBody(const Leaf& leaf, const Portal& portal) {
 }
 
 std::uint32_t DoorAssembler::addFilling(const Door& door, std::uint64_t object) {
-    const Portal& portal = world_.portals[door.portal];
+    const Portal& portal = openingOf(world_, door.portal);
     Instance filling;
     filling.kind = InstanceKind::Filling;
     filling.mesh =

@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "geometry/ConvexPolygon.h"
+#include "world/OpeningParts.h"
 
 #include <algorithm>
 #include <limits>
@@ -96,9 +97,12 @@ std::optional<DoorOpening> findOpening(const World& world, const DoorBox& box) {
     double best = std::numeric_limits<double>::infinity();
     PortalIndex found = kNone;
     for (PortalIndex p = 0; p < world.portals.size(); ++p) {
-        const Portal& portal = world.portals[p];
         // The outside's portals are the other sides of cells' portals.
-        if (portal.cornerCount < 3 || (portal.space == kOutside && portal.reciprocal != kNone))
+        if (world.portals[p].part > 0 ||
+            (world.portals[p].space == kOutside && world.portals[p].reciprocal != kNone))
+            continue;
+        const Portal& portal = openingOf(world, p);
+        if (portal.cornerCount < 3)
             continue;
         if (glm::length(cornersOf(world, portal).front() - box.centre) > 2.0 * reach + kBefore)
             continue;
@@ -109,7 +113,7 @@ std::optional<DoorOpening> findOpening(const World& world, const DoorBox& box) {
     }
     if (found == kNone)
         return std::nullopt;
-    const Plane& plane = world.portals[found].plane;
+    const Plane& plane = openingOf(world, found).plane;
     return DoorOpening{found, plane.n * -plane.signedDistance(box.centre)};
 }
 

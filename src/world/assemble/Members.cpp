@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 #include "world/Membership.h"
+#include "world/OpeningParts.h"
 
 #include <algorithm>
 
@@ -14,9 +15,9 @@ std::vector<std::uint8_t> allDoorsShut(const World& world) {
     for (const Door& door : world.doors) {
         if (!door.opaque)
             continue;
-        shut[door.portal] = 1;
+        forParts(world, door.portal, [&](PortalIndex p) { shut[p] = 1; });
         if (door.reciprocal != kNone)
-            shut[door.reciprocal] = 1;
+            forParts(world, door.reciprocal, [&](PortalIndex p) { shut[p] = 1; });
     }
     return shut;
 }

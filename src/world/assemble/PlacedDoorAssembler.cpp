@@ -1,6 +1,7 @@
 #include "world/assemble/PlacedDoorAssembler.h"
 
 #include "core/Assert.h"
+#include "world/OpeningParts.h"
 #include "world/assemble/PlacedLook.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ bool PlacedDoorAssembler::add(const PlacedEntry& entry) {
 }
 
 bool PlacedDoorAssembler::isOpaque(const Hung& hung) {
-    const Portal& portal = world_.portals[hung.portal];
+    const Portal& portal = openingOf(world_, hung.portal);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     std::vector<Vec3> corners;
     for (const DoorPart& part : hung.parts) {

@@ -84,6 +84,29 @@ void SpaceAssembler::addZones(const JoiningBlock& block) {
         LIMEN_ASSERT(world_.spaces[space].zone != kNone, "every cell is in a zone");
 }
 
+Portal SpaceAssembler::portalOf(const JoiningBlock& block, const PortalContent& content) {
+    Portal portal;
+    portal.space = block.spaceOf(content.space);
+    portal.destination = block.spaceOf(content.destination);
+    portal.firstVertex = static_cast<std::uint32_t>(world_.portalVertices.size());
+    portal.vertexCount = static_cast<std::uint32_t>(content.points.size());
+    for (const Vec3& p : content.points)
+        world_.portalVertices.push_back(block.origin + p);
+    portal.firstCorner = static_cast<std::uint32_t>(world_.portalCorners.size());
+    portal.cornerCount = static_cast<std::uint32_t>(content.corners.size());
+    for (const Vec3& p : content.corners)
+        world_.portalCorners.push_back(block.origin + p);
+    portal.plane = toGlobal(content.plane, block.origin);
+    portal.block = block.index;
+    portal.recordIndex = content.recordIndex;
+    portal.polygonId = content.polygonId;
+    portal.exact = content.exact;
+    portal.walled = content.walled;
+    portal.part = content.part;
+    portal.partCount = content.partCount;
+    return portal;
+}
+
 void SpaceAssembler::addPortals(const JoiningBlock& block) {
     const std::uint32_t firstOutdoor = block.content.firstOutdoorPortal;
     const auto cellBase = static_cast<PortalIndex>(world_.portals.size());
@@ -93,28 +116,17 @@ void SpaceAssembler::addPortals(const JoiningBlock& block) {
             return kNone;
         return local < firstOutdoor ? cellBase + local : outdoorBase + (local - firstOutdoor);
     };
+    const auto firstWhole = static_cast<std::uint32_t>(world_.wholes.size());
+    for (const PortalContent& whole : block.content.wholes)
+        world_.wholes.push_back(portalOf(block, whole));
     for (std::size_t i = 0; i < block.content.portals.size(); ++i) {
         const PortalContent& content = block.content.portals[i];
         LIMEN_ASSERT((content.space == kOutdoorSpace) == (i >= firstOutdoor),
                      "the outside's portals come last");
-        Portal portal;
-        portal.space = block.spaceOf(content.space);
-        portal.destination = block.spaceOf(content.destination);
+        Portal portal = portalOf(block, content);
         portal.reciprocal = globalIndex(content.reciprocal);
-        portal.firstVertex = static_cast<std::uint32_t>(world_.portalVertices.size());
-        portal.vertexCount = static_cast<std::uint32_t>(content.points.size());
-        for (const Vec3& p : content.points)
-            world_.portalVertices.push_back(block.origin + p);
-        portal.firstCorner = static_cast<std::uint32_t>(world_.portalCorners.size());
-        portal.cornerCount = static_cast<std::uint32_t>(content.corners.size());
-        for (const Vec3& p : content.corners)
-            world_.portalCorners.push_back(block.origin + p);
-        portal.plane = toGlobal(content.plane, block.origin);
-        portal.block = block.index;
-        portal.recordIndex = content.recordIndex;
-        portal.polygonId = content.polygonId;
-        portal.exact = content.exact;
-        portal.walled = content.walled;
+        if (content.whole != kNone)
+            portal.whole = firstWhole + content.whole;
         (content.space == kOutdoorSpace ? outdoorPortals_ : world_.portals).push_back(portal);
     }
     for (std::uint32_t cell = 0; cell < block.content.cells.size(); ++cell) {

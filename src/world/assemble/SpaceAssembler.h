@@ -20,6 +20,7 @@ private:
     void addCells(const JoiningBlock& block);
     void addZones(const JoiningBlock& block);
     void addPortals(const JoiningBlock& block);
+    [[nodiscard]] Portal portalOf(const JoiningBlock& block, const PortalContent& content);
 
     World& world_;
     std::vector<Portal> outdoorPortals_; ///< until finish()

@@ -20,6 +20,8 @@ struct PortalContent {
     bool exact = true;
     bool walled = false; ///< its polygon is drawn towards `space`, and is opaque
     std::uint16_t recordIndex = 0, polygonId = 0;
+    std::uint16_t part = 0, partCount = 1;                   ///< as Portal::part
+    std::uint32_t whole = kNone;                             ///< index into BlockContent::wholes
     std::uint16_t flags = 0, otherCell = 0, otherPortal = 0; ///< as in the record
 };
 
@@ -80,6 +82,7 @@ struct BlockContent {
     MeshData terrain;
     std::vector<CellContent> cells;     ///< ascending ids
     std::vector<PortalContent> portals; ///< by cell, then those of buildings
+    std::vector<PortalContent> wholes;  ///< openings that are cut into parts
     std::uint32_t firstOutdoorPortal = 0;
     std::vector<std::vector<std::uint32_t>> zones; ///< cells
     std::vector<ExteriorContent> exteriors;

@@ -1,6 +1,7 @@
 #include "world/block/BlockReader.h"
 
 #include "core/Assert.h"
+#include "world/block/BentOpenings.h"
 #include "world/block/BuildingReader.h"
 #include "world/block/CellReader.h"
 #include "world/block/PortalLinks.h"
@@ -149,6 +150,7 @@ void BlockReader::addCells(const dat::LandBlockInfo& info, BlockContent& block) 
         linkBuilding(block, info.buildings[i], buildings[i].portalPolygons, info.id);
     }
     finishBuildings(block);
+    splitBentOpenings(block);
     for (std::uint32_t cell = 0; cell < drafts.size(); ++cell) {
         const dat::EnvCell& record = drafts[cell].record;
         for (std::size_t i = 0; i < record.statics.size(); ++i)

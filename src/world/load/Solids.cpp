@@ -5,6 +5,7 @@
 #include "world/Loader.h"
 #include "world/Membership.h"
 #include "world/Nearby.h"
+#include "world/OpeningParts.h"
 #include "world/block/BlockReader.h"
 #include "world/block/CellReader.h"
 #include "world/records/PolygonSource.h"
@@ -90,7 +91,7 @@ public:
             const Door& door = world_.doors[d];
             if (door.portal == kNone)
                 continue; // a thing that opens: the solid of its Setup stays as it is
-            const Portal& portal = world_.portals[door.portal];
+            const Portal& portal = openingOf(world_, door.portal);
             if (portal.destination != kNone && portal.vertexCount >= 3)
                 addFilling(d, portal);
             for (std::uint32_t l = door.firstLeaf; l < door.firstLeaf + door.leafCount; ++l)

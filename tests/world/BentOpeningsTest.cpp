@@ -1,0 +1,130 @@
+#include "support/BentRooms.h"
+#include "support/LoadTestWorld.h"
+#include "world/OpeningParts.h"
+
+namespace limen::world {
+namespace {
+
+using test::rectangle;
+using test::TestWorld;
+
+struct DoorRooms {
+    TestWorld source;
+    TestWorld::Cell a = source.addBox({0, 0, 0}, {4, 4, 3}), b = source.addBox({4, 0, 0}, {8, 4, 3});
+};
+
+/// A doorway between the rooms with one corner `off` metres off the plane of the others.
+std::vector<Vec3> bentDoor(double off) {
+    return {{4, 1, 0}, {4, 2, 0}, {4 + off, 2, 2}, {4, 1, 2}};
+}
+
+double farthestFromPlane(const World& world, const Portal& portal) {
+    double most = 0.0;
+    for (const Vec3& corner : cornersOf(world, portal))
+        most = std::max(most, std::abs(portal.plane.signedDistance(corner)));
+    return most;
+}
+
+TEST(BentOpenings, areTrianglesThatLieInTheirPlanes) {
+    TestWorld source;
+    const test::BentRooms rooms(source, 4.0, 0.003);
+    const World world = test::loadTestWorld(source);
+    EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
+    for (const SpaceIndex space : {1u, 2u}) {
+        ASSERT_EQ(world.spaces[space].portalCount, 2u);
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            const PortalIndex p = world.spaces[space].firstPortal + i;
+            const Portal& part = world.portals[p];
+            EXPECT_EQ(part.cornerCount, 3u);
+            EXPECT_LT(farthestFromPlane(world, part), 1e-9);
+            EXPECT_EQ(part.part, i);
+            EXPECT_EQ(part.partCount, 2u);
+            EXPECT_EQ(part.recordIndex, 0u);
+            EXPECT_EQ(part.destination, 3u - space);
+            EXPECT_EQ(openingOf(world, p).cornerCount, 4u);
+        }
+    }
+}
+
+TEST(BentOpenings, haveTheSameTrianglesFromBothSides) {
+    DoorRooms rooms;
+    rooms.source.link(rooms.a, bentDoor(-0.001), rooms.b);
+    const World world = test::loadTestWorld(rooms.source);
+    for (PortalIndex p = 0; p < world.portals.size(); ++p) {
+        const Portal &there = world.portals[p], &back = world.portals[there.reciprocal];
+        EXPECT_EQ(back.reciprocal, p);
+        EXPECT_EQ(back.part, there.part);
+        EXPECT_LT(glm::length(there.plane.n + back.plane.n), 1e-9);
+        const auto corners = cornersOf(world, there), others = cornersOf(world, back);
+        for (const Vec3& corner : corners)
+            EXPECT_NE(std::find(others.begin(), others.end(), corner), others.end()) << "to the bit";
+    }
+}
+
+TEST(BentOpenings, stayWholeIfFloatsAreNoMoreAccurate) {
+    DoorRooms rooms;
+    rooms.source.link(rooms.a, bentDoor(1e-5), rooms.b);
+    const World world = test::loadTestWorld(rooms.source);
+    ASSERT_EQ(world.spaces[1].portalCount, 1u);
+    EXPECT_EQ(world.portals[world.spaces[1].firstPortal].whole, kNone);
+    EXPECT_TRUE(world.wholes.empty());
+}
+
+TEST(BentOpenings, ofInexactPairsStayWhole) {
+    DoorRooms rooms;
+    TestWorld::LinkOptions options;
+    options.exact = false;
+    rooms.source.link(rooms.a, bentDoor(0.003), rooms.b, options);
+    EXPECT_EQ(test::loadTestWorld(rooms.source).spaces[1].portalCount, 1u);
+}
+
+/// Two corners are stitched into the edge of an opening, from the openings beside it, a tenth of a millimetre beside the edge.
+TEST(BentOpenings, includeThoseWithAVertexBesideAnEdge) {
+    for (const auto& [beside, isBent] : {std::pair{0.0, false}, {1e-4, true}}) {
+        DoorRooms rooms;
+        rooms.source.link(rooms.a, rectangle({4, 1, 0}, {4, 2, 2}), rooms.b);
+        rooms.source.link(rooms.a, rectangle({4, 2 + beside, 0.5}, {4, 3, 1.5}), rooms.b);
+        const World world = test::loadTestWorld(rooms.source);
+        const Portal& first = world.portals[world.spaces[1].firstPortal];
+        EXPECT_EQ(first.partCount > 1, isBent);
+        EXPECT_EQ(openingOf(world, world.spaces[1].firstPortal).cornerCount, 4u);
+    }
+}
+
+TEST(BentOpenings, leaveIndicesOfOtherPortalsRight) {
+    DoorRooms rooms;
+    rooms.source.link(rooms.a, rectangle({4, 3, 0}, {4, 3.5, 2}), rooms.b);
+    rooms.source.link(rooms.a, bentDoor(0.002), rooms.b);
+    rooms.source.link(rooms.a, rectangle({4, 0.2, 0}, {4, 0.6, 2}), rooms.b);
+    const TestWorld::Portal exit = rooms.source.openOutside(rooms.b, rectangle({8, 1, 0}, {8, 2, 2}));
+    rooms.source.addBuilding(test::boxExterior({0, 0, 0}, {8, 4, 3}), {exit});
+    const World world = test::loadTestWorld(rooms.source);
+    std::vector<std::uint16_t> records;
+    const Space& b = world.spaces[2];
+    for (PortalIndex p = b.firstPortal; p < b.firstPortal + b.portalCount; ++p) {
+        const Portal& portal = world.portals[p];
+        EXPECT_EQ(portal.space, 2u);
+        EXPECT_EQ(world.portals[portal.reciprocal].reciprocal, p);
+        EXPECT_EQ(world.portals[portal.reciprocal].space, portal.destination);
+        records.push_back(portal.recordIndex);
+    }
+    EXPECT_EQ(records, (std::vector<std::uint16_t>{0, 1, 1, 2, 3}));
+    ASSERT_EQ(world.spaces[kOutside].portalCount, 1u);
+    EXPECT_EQ(world.portals[world.portals[0].reciprocal].recordIndex, 3u);
+}
+
+TEST(BentOpenings, leadOutside) {
+    DoorRooms rooms;
+    const TestWorld::Portal exit =
+        rooms.source.openOutside(rooms.b, {{8, 1, 0}, {8, 2, 0}, {8.002, 2, 2}, {8, 1, 2}});
+    rooms.source.addBuilding(test::boxExterior({0, 0, 0}, {8, 4, 3}), {exit});
+    const World world = test::loadTestWorld(rooms.source);
+    ASSERT_EQ(world.spaces[kOutside].portalCount, 2u);
+    for (PortalIndex p = 0; p < 2; ++p) {
+        EXPECT_EQ(world.portals[p].destination, 2u);
+        EXPECT_EQ(world.portals[world.portals[p].reciprocal].destination, kOutside);
+    }
+}
+
+} // namespace
+} // namespace limen::world
