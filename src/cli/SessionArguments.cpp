@@ -34,7 +34,7 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
         .add_option_function<std::string>(
             "--zones", [&options](const std::string& text) { options.load.mergeZones = text == "merged"; },
             "choose the zones; merged: cells that cannot hide each other share a zone; cells: one zone per "
-            "cell; pictures are equal (merged)")
+            "cell; pictures are equal, but where an object pokes through a wall within its zone (merged)")
         ->type_name("merged|cells")
         ->check(oneOf({"merged", "cells"}))
         ->group("World");
