@@ -307,8 +307,8 @@ TEST(Villagers, haveASoftShadowOnTheGroundAsAPartOfTheirSetup) {
         const std::uint32_t id = idOf(villager.at("model"));
         for (const dat::Setup& setup : world().setups)
             if (setup.id == id)
-                EXPECT_EQ(std::count_if(setup.parts.begin(), setup.parts.end(), isShadow), 1)
-                    << villager.at("name");
+                EXPECT_GE(std::count_if(setup.parts.begin(), setup.parts.end(), isShadow), 1)
+                    << villager.at("name") << ": the carter's cart has a second one";
     }
 }
 
