@@ -87,7 +87,8 @@ void addReadings(CLI::App& command, world::Readings& readings) {
     command
         .add_option_function<std::string>(
             kOption, [&readings](const std::string& text) { readings = *parseReadings(text); },
-            "choose readings of what the format leaves open, e.g. sky-place=block,cell-fog=none; names and "
+            "choose readings of open questions about the format, e.g. sky-place=block,cell-fog=none; names "
+            "and "
             "values: " +
                 readingsNotation() + " (the first of each, and the greatest number)")
         ->type_name("NAME=VALUE,...")

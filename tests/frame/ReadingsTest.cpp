@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-// Readings of what the formats leave open, as far as plans and scenes follow them.
+// Readings of open questions about the formats, as far as plans and scenes follow them.
 namespace limen::test {
 namespace {
 

@@ -26,7 +26,7 @@ struct LevelBand {
 /// The band of a part whose scale has this z.
 [[nodiscard]] LevelRange levelRangeOf(const LevelBand& band, double scaleZ);
 
-/// What shifts the distances at which levels of detail change.
+/// Shifts of the distances at which levels of detail change.
 struct LevelLimits {
     double detail = 1.0; ///< factor; infinite: the nearest level at every distance
     double bias = 1.0;   ///< Readings::levelBias
