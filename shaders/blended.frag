@@ -27,6 +27,6 @@ void main() {
     }
     bool isAdditive = (material.flags & kMaterialAdditive) != 0u;
     vec3 colour = highlighted(material.colour.rgb * texel.rgb * lightHere(painted, instance), instance.highlight);
-    colour = mix(colour, frame.fogColour.rgb, isAdditive ? 0.0 : fogAt(painted.at)); // fog passes additive ones by
+    colour = mix(colour, frame.fogColour.rgb, isAdditive ? 0.0 : fogHere(painted, instance)); // fog passes additive ones by
     outColour = vec4(colour * alpha, isAdditive ? 0.0 : alpha);
 }

@@ -49,11 +49,17 @@ void setDetail() {
 }
 #endif
 
+#ifdef SURFACE_DIFFUSE
+float diffuse = 1.0; // of the surface
+#else
+const float diffuse = 1.0;
+#endif
+
 // Factors of a surface with this colour: the light, then fog and highlight over it. PIXEL_LAMPS: without the light.
 Look lookOf(vec3 eyeRelative, vec3 albedo, float emission, float fogged) {
-    Incident incident = Incident(inAmbient.rgb, inSun.rgb, inMembers.w & kLightKind, inLook.z, inLook.w);
+    Incident incident = Incident(inAmbient.rgb, inSun.rgb * diffuse, inMembers.w & kLightKind, inLook.z, inLook.w);
     vec3 origin = vec3(inRow0.w, inRow1.w, inRow2.w);
-    vec3 normal = unitOrZero(turned(inNormal.xyz));
+    vec3 normal = litNormal(turned(inNormal.xyz));
     vec3 light = lightAt(incident, emission, eyeRelative, normal, origin);
 #ifdef PIXEL_LAMPS
     vLight = light;
@@ -61,8 +67,11 @@ Look lookOf(vec3 eyeRelative, vec3 albedo, float emission, float fogged) {
     vWallLamps = incident.kind == kLitWalls ? uvec2(incident.firstLamp, incident.lampCount + 1u) : uvec2(0u);
     light = vec3(1.0);
 #endif
-    float fog = fogged * fogAt(eyeRelative);
+    float fog = fogged * fogOn(incident.kind, eyeRelative);
     vec4 over = unpackUnorm4x8(inLook.y);
+#ifdef UNLIT_SHARE
+    vUnlit = (1.0 - fog) * (1.0 - over.a);
+#endif
 #ifdef BLENDED
     vec2 shares = vec2((1.0 - over.a) * (1.0 - fog), over.a * (1.0 - fog)); // of the light, of the highlight
     return Look(albedo * light * shares.x, over.rgb * shares.y + frame.fogColour.rgb * fog);
@@ -90,6 +99,9 @@ void setAlpha(Material material, float opacity) {
 
 void setSurface(vec3 eyeRelative) {
     Material material = materialAt(materialRefAt(inLook.x + (inPolygonSurface >> 16)));
+#ifdef SURFACE_DIFFUSE
+    diffuse = material.diffuse;
+#endif
     float fogged = 1.0;
 #ifdef BLENDED
     vCover = (material.flags & kMaterialAdditive) != 0u ? 0.0 : 1.0;

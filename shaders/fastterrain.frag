@@ -26,7 +26,11 @@ void main() {
 #endif
 #if defined(DETAILS) && !defined(FLAT)
     vec4 grain = texelsAt(vDetail.xy, vUv * uintBitsToFloat(vDetail.z));
+#ifdef UNLIT_SHARE
+    vec3 lit = grainedGround(albedo * vTimes, grain * vec4(vec3(vUnlit), 1.0), frame.nearPlane / gl_FragCoord.z);
+#else
     albedo = grainedGround(albedo, grain, frame.nearPlane / gl_FragCoord.z);
+#endif
 #endif
 #ifdef GATED
     if (!isSeen(vMembers)) {
@@ -36,7 +40,11 @@ void main() {
 #ifdef FLAT
     outColour = colourOfId(vId);
 #else
+#ifdef UNLIT_SHARE
+    outColour = vec4(lit + vPlus, 1.0);
+#else
     outColour = vec4(albedo * vTimes + vPlus, 1.0);
+#endif
 #endif
 #ifdef IDS
     outId = vId;

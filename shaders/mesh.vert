@@ -33,6 +33,12 @@ layout(location = kVaryingCorners) flat out vec3 vCorners[3]; // eye-relative, t
 layout(location = kVaryingOutline) flat out vec3 vOutline[3]; // the same corners, by screenFromEye
 #endif
 
+#ifdef SURFACE_DIFFUSE
+float diffuse = 1.0; // of the surface
+#else
+const float diffuse = 1.0;
+#endif
+
 Incident incidentOn(Instance instance) {
     LightSet set = lightSets[memberThatLights(instance).lightSet];
     bool isOutdoors = set.kind == kLitOutdoors;
@@ -41,7 +47,7 @@ Incident incidentOn(Instance instance) {
 #else
     vec3 ofSky = frame.skyAmbient.rgb;
 #endif
-    return Incident(set.sealed != 0u ? frame.sealedAmbient.rgb : ofSky, isOutdoors ? frame.sunColour.rgb : vec3(0.0), set.kind,
+    return Incident(set.sealed != 0u ? frame.sealedAmbient.rgb : ofSky, isOutdoors ? frame.sunColour.rgb * diffuse : vec3(0.0), set.kind,
                     set.firstLamp, set.lampCount);
 }
 
@@ -55,7 +61,7 @@ float emission = 0.0; // of the surface
 // Light of a vertex of `instance`; `normal`: model space.
 vec3 lightOf(Instance instance, vec3 eyeRelative, vec3 normal) {
     vec3 origin = eyeFromBlock(originOf(instance), vec3(0.0), instance.block);
-    return lightAt(incidentOn(instance), emission, eyeRelative, unitOrZero(turned(normal, instance)), origin);
+    return lightAt(incidentOn(instance), emission, eyeRelative, litNormal(turned(normal, instance)), origin);
 }
 
 #ifdef EXACT
@@ -191,7 +197,11 @@ void main() {
     vSurface = instance.firstMaterial + (inPolygonSurface >> 16);
 #else
     vSurface = materialRefAt(instance.firstMaterial + (inPolygonSurface >> 16));
-    emission = materialAt(vSurface).luminosity;
+    Material material = materialAt(vSurface);
+    emission = material.luminosity;
+#ifdef SURFACE_DIFFUSE
+    diffuse = material.diffuse;
+#endif
 #endif
     vLight = lightOf(instance, eyeRelative, inNormal.xyz);
 #ifdef PIXEL_LAMPS

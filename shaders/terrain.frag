@@ -26,9 +26,15 @@ void main() {
     vec3 albedo = blendedTerrain(vSurface, uv);
 #ifdef DETAILS
     float viewDepth = (frame.clipFromEye * vec4(painted.at, 1.0)).w;
-    albedo = grainedGround(albedo, grainTexels(kDetailOfLand, uv.at, uv.dx, uv.dy), viewDepth);
+    vec4 grain = grainTexels(kDetailOfLand, uv.at, uv.dx, uv.dy);
+#ifdef GRAIN_UNLIT
+    outColour = coveredColour(grainedGround(albedo * lightHere(painted, instance), grain, viewDepth), painted, instance);
+#else
+    outColour = opaqueColour(grainedGround(albedo, grain, viewDepth), painted, instance);
 #endif
+#else
     outColour = opaqueColour(albedo, painted, instance);
+#endif
 #endif
     outId = vId;
 }

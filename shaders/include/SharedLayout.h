@@ -275,7 +275,7 @@ LIMEN_STRUCT(Material) {
     uint texture LIMEN_ZERO; // index into textures, or kNoTexture
     uint flags LIMEN_ZERO;
     float luminosity LIMEN_ZERO;
-    uint reserved0 LIMEN_ZERO;
+    float diffuse LIMEN_ZERO; // factor of the sun's light; read with SURFACE_DIFFUSE
 };
 
 // Location of a texture, filled in by TextureStore. x: layer of an array page, or low half of the 64-bit bindless

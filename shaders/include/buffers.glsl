@@ -135,7 +135,7 @@ uint materialRefAt(uint index) {
 Material materialAt(uint index) {
     int at = int(index * kMaterialTexels);
     uvec4 rest = texelFetch(materialTexels, at + 1);
-    return Material(uintBitsToFloat(texelFetch(materialTexels, at)), rest.x, rest.y, uintBitsToFloat(rest.z), 0u);
+    return Material(uintBitsToFloat(texelFetch(materialTexels, at)), rest.x, rest.y, uintBitsToFloat(rest.z), uintBitsToFloat(rest.w));
 }
 
 TextureRef textureRefAt(uint index) {

@@ -12,6 +12,10 @@ layout(location = kVaryingShown) flat LOOK uvec4 vShown[kShownVectors];
 #ifdef DETAILS
 layout(location = kVaryingDetail) flat LOOK uvec3 vDetail; // TextureRef.place.xy; repeats, as float bits, 0: no grain
 #endif
+#if defined(DETAILS) && defined(TERRAIN) && defined(GRAIN_UNLIT)
+#define UNLIT_SHARE
+layout(location = kVaryingUnlit) LOOK float vUnlit; // share of an unlit colour: without fog and highlight
+#endif
 #ifdef PIXEL_LAMPS
 // Then vTimes leaves out the light. Lamps of walls are added to vLight in each fragment.
 layout(location = kVaryingFastLight) LOOK vec3 vLight;

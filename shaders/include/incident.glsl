@@ -1,5 +1,6 @@
 // Light and fog at a vertex (docs/formats/light.md). Light belongs to an instance: outdoors it has the sun and the sky,
-// in cells the cells' ambient light and lamps.
+// in cells the cells' ambient light and lamps. NO_CELL_FOG, BAKED_LIGHT_REPLACES, SURFACE_DIFFUSE, WALL_GREY,
+// NORMALS_SCALED, NORMALS_DIVIDED: other readings than the default (docs/uncertain.md).
 #include "transform.glsl"
 
 // Multiples of a lamp's falloff: its reach on the walls of cells and on everything else.
@@ -26,6 +27,17 @@ struct Incident {
 vec3 unitOrZero(vec3 v) {
     const float least = 1.0e-24; // of a square: 0 stays 0
     return v * inversesqrt(max(dot(v, v), least));
+}
+
+// Normal in light of one that the object's pose has turned and scaled.
+vec3 litNormal(vec3 turned) {
+#if defined(NORMALS_SCALED)
+    return turned;
+#elif defined(NORMALS_DIVIDED)
+    return turned / max(dot(turned, turned), 1.0e-24);
+#else
+    return unitOrZero(turned);
+#endif
 }
 
 vec3 cutToBytes(vec3 colour) {
@@ -94,14 +106,29 @@ vec3 ofViewer(vec3 at, vec3 normal) {
     return onThing(frame.viewerLight.xyz - at, vec3(frame.viewerLight.w), kViewerFalloff, normal);
 }
 
+// Light that is not baked, on walls of cells.
+vec3 onGreyWall(vec3 light) {
+#ifdef WALL_GREY
+    return light * float(WALL_GREY);
+#else
+    return light;
+#endif
+}
+
 // Light of lamps and of the viewer on the wall of a cell.
 vec3 lampsOnWall(uint firstLamp, uint lampCount, vec3 at, vec3 normal) {
-    return bakedLight(Incident(vec3(0.0), vec3(0.0), kLitWalls, firstLamp, lampCount), at, normal) + ofViewer(at, normal);
+    return bakedLight(Incident(vec3(0.0), vec3(0.0), kLitWalls, firstLamp, lampCount), at, normal) + onGreyWall(ofViewer(at, normal));
 }
 
 // Light of a vertex with a normal of unit length or 0. `emission`: its material's luminosity.
 // PIXEL_LAMPS: without lampsOnWall, which fragments add.
 vec3 lightAt(Incident light, float emission, vec3 at, vec3 normal, vec3 origin) {
+#ifdef BAKED_LIGHT_REPLACES
+    emission = light.kind == kLitWalls ? 0.0 : emission;
+#endif
+#ifdef WALL_GREY
+    light.ambient = light.kind == kLitWalls ? onGreyWall(light.ambient) : light.ambient;
+#endif
     vec3 sum = vec3(emission) + light.ambient + light.sun * max(0.0, dot(normal, frame.sunDirection.xyz));
 #if !defined(FAST) || defined(LAMPS)
     Incident walls = light;
@@ -110,7 +137,11 @@ vec3 lightAt(Incident light, float emission, vec3 at, vec3 normal, vec3 origin) 
     thing.lampCount = light.kind == kLitWalls ? 0u : light.lampCount;
     sum += bakedLight(walls, at, normal) + lampLight(thing, at, normal, origin);
     if (light.kind != kLitOutdoors && (light.kind != kLitWalls || kLightsWalls)) {
+#ifdef WALL_GREY
+        sum += light.kind == kLitWalls ? onGreyWall(ofViewer(at, normal)) : ofViewer(at, normal);
+#else
         sum += ofViewer(at, normal);
+#endif
     }
 #endif
 #ifdef TERRAIN
@@ -124,4 +155,13 @@ vec3 lightAt(Incident light, float emission, vec3 at, vec3 normal, vec3 origin) 
 float fogAt(vec3 eyeRelative) {
     float range = max(frame.fogRange.y - frame.fogRange.x, 1.0e-3);
     return clamp((length(eyeRelative) - frame.fogRange.x) / range, 0.0, 1.0);
+}
+
+// The same on a surface with this light: LightSet.kind.
+float fogOn(uint kind, vec3 eyeRelative) {
+#ifdef NO_CELL_FOG
+    return kind == kLitOutdoors ? fogAt(eyeRelative) : 0.0;
+#else
+    return fogAt(eyeRelative);
+#endif
 }

@@ -78,8 +78,20 @@ vec4 materialColour(Material material, vec2 uv, vec2 dx, vec2 dy) {
     return colour;
 }
 
-// Lit, fogged and highlighted colour of an opaque surface.
-vec4 opaqueColour(vec3 albedo, Painted painted, Instance instance) {
-    vec3 colour = mix(albedo * lightHere(painted, instance), frame.fogColour.rgb, fogAt(painted.at));
+float fogHere(Painted painted, Instance instance) {
+#ifdef NO_CELL_FOG
+    return fogOn(lightSets[memberThatLights(instance).lightSet].kind, painted.at);
+#else
+    return fogAt(painted.at);
+#endif
+}
+
+// Fogged and highlighted colour of a lit opaque surface.
+vec4 coveredColour(vec3 lit, Painted painted, Instance instance) {
+    vec3 colour = mix(lit, frame.fogColour.rgb, fogHere(painted, instance));
     return vec4(highlighted(colour, instance.highlight), 1.0);
+}
+
+vec4 opaqueColour(vec3 albedo, Painted painted, Instance instance) {
+    return coveredColour(albedo * lightHere(painted, instance), painted, instance);
 }

@@ -23,6 +23,7 @@ const uint kVaryingPicture = 8u;
 const uint kVaryingLayers = 9u; // an array: three locations
 const uint kVaryingShown = 12u;  // an array: three locations
 const uint kVaryingDetail = 4u; // of surfaces without alpha
+const uint kVaryingUnlit = 5u; // of the ground
 const uint kVaryingFastLight = 9u; // of meshes, which have no layers
 const uint kVaryingFastNormal = 10u;
 const uint kVaryingWallLamps = 11u;

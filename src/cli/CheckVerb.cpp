@@ -33,7 +33,7 @@ constexpr std::size_t kStateLimit = 16u << 20;
 
 /// Options with which `limen shot` loads the same world.
 std::string worldOptions(const CheckOptions& options, const engine::WorldSource& source) {
-    std::string text = source.datOption;
+    std::string text = source.datOption + engine::readingsOption(options.session.load.readings);
     if (!options.session.load.mergeZones)
         text += " --zones cells";
     if (options.session.gate != frame::Gate::Ownership)
@@ -46,9 +46,10 @@ std::string worldOptions(const CheckOptions& options, const engine::WorldSource&
 /// All settings that affect the views and the check, as text. A run resumes only with equal settings.
 std::string nameOfRun(const CheckOptions& options, const std::string& world) {
     return fmt::format("views {} kinds '{}' seed {} size '{}' block '{}' doors '{}' day '{}' weather '{}' "
-                       "look '{}' world '{}' samples {}{}",
+                       "look '{}' world '{}' samples {}{}{}",
                        options.views, options.kinds, options.seed, options.size, options.block, options.doors,
                        options.day, options.weather, options.look, world, options.session.samples,
+                       engine::readingsOption(options.session.load.readings),
                        options.walk.empty() ? "" : " walk '" + options.walk + "'");
 }
 

@@ -1,6 +1,7 @@
 #include "cli/SessionArguments.h"
 
 #include "cli/Choices.h"
+#include "cli/ReadingsArgument.h"
 #include "engine/Quality.h"
 
 #include <CLI/CLI.hpp>
@@ -56,6 +57,7 @@ void addSessionOptions(CLI::App& command, engine::SessionOptions& options) {
         ->type_name("F")
         ->check(within(0.01, std::numeric_limits<double>::infinity()))
         ->group("World");
+    addReadings(command, options.load.readings);
     command
         .add_option_function<std::string>(
             "--textures",

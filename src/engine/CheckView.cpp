@@ -77,9 +77,15 @@ check::View viewOf(const FrameRequest& request, const world::World& world) {
     return view;
 }
 
+std::string readingsOption(const world::Readings& readings) {
+    const std::string text = world::textOf(readings);
+    return text.empty() ? "" : " --readings=" + text;
+}
+
 std::string reproduction(const world::World& world, const FrameRequest& request,
                          const std::string& datOption) {
-    return "limen shot" + datOption + " " + check::shotOptions(viewOf(request, world));
+    return "limen shot" + datOption + readingsOption(world.readings) + " " +
+           check::shotOptions(viewOf(request, world));
 }
 
 } // namespace limen::engine

@@ -15,6 +15,9 @@ namespace limen::engine {
 /// Converts a frame into the view of a check. The kind of the view is not set.
 [[nodiscard]] check::View viewOf(const FrameRequest& request, const world::World& world);
 
+/// "" or " --readings=NAME=VALUE,...", for command lines.
+[[nodiscard]] std::string readingsOption(const world::Readings& readings);
+
 /// The command line that draws this frame again. It names the root, because the eye's position alone can be
 /// ambiguous. `datOption` is "" or " --dat DIR".
 [[nodiscard]] std::string reproduction(const world::World& world, const FrameRequest& request,

@@ -41,7 +41,7 @@ static_assert(offsetof(Level, originX) == 0 && offsetof(Level, originY) == 4 &&
               offsetof(Level, originZ) == 8 && offsetof(Level, range) == 12);
 static_assert(offsetof(Material, colour) == 0 && offsetof(Material, texture) == 16 &&
               offsetof(Material, flags) == 20 && offsetof(Material, luminosity) == 24 &&
-              offsetof(Material, reserved0) == 28);
+              offsetof(Material, diffuse) == 28);
 static_assert(offsetof(TextureRef, place) == 0);
 static_assert(offsetof(TerrainLayer, texture) == 0 && offsetof(TerrainLayer, alpha) == 4 &&
               offsetof(TerrainLayer, rotation) == 8 && offsetof(TerrainLayer, tiling) == 12);

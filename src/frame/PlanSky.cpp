@@ -1,14 +1,38 @@
 #include "frame/PlanSky.h"
 
 #include "frame/PlanBatches.h"
+#include "world/Ground.h"
+
+#include <cmath>
 
 namespace limen::frame {
+
+namespace {
+
+/// The origin of sun, moon and domes, global.
+Vec3 originOfSky(const world::World& world, const visibility::View& view) {
+    const auto corner = [&view](double side) {
+        return Vec3(std::floor(view.eye.x / side) * side, std::floor(view.eye.y / side) * side, 0.0);
+    };
+    switch (world.readings.skyPlace) {
+    case world::SkyPlace::Block:
+        return corner(world::kBlockSize);
+    case world::SkyPlace::Cell:
+        return view.root != world::kOutside ? world.spaces[view.root].origin : corner(world::kLandcellSize);
+    case world::SkyPlace::Eye:
+        break;
+    }
+    return view.eye;
+}
+
+} // namespace
 
 void placeSky(const world::World& world, const FrameView& frame,
               std::vector<world::SkyPlacement>& placements) {
     world::skyPlacements(world.sky,
                          {frame.dayGroup, world::timeOfSky(world.sky, frame.timeOfDay), frame.seconds,
-                          frame.view.eye.z, frame.view.root == world::kOutside},
+                          frame.view.eye.z, frame.view.root == world::kOutside,
+                          originOfSky(world, frame.view) - frame.view.eye},
                          placements);
 }
 

@@ -1,6 +1,7 @@
 #include "frame/SceneBuilder.h"
 
 #include "frame/PackInstance.h"
+#include "frame/ReadingDefines.h"
 
 #include <algorithm>
 
@@ -57,7 +58,7 @@ void addMaterials(const world::World& world, SceneUpload& scene) {
         flags |= (m.flags & world::Material::kAlpha) != 0 ? gpu::kMaterialAlpha : 0;
         flags |= (m.flags & world::Material::kSplit) != 0 ? gpu::kMaterialSplit : 0;
         flags |= (m.flags & world::Material::kIndexed) != 0 ? gpu::kMaterialIndexed : 0;
-        scene.materials.push_back({m.colour, m.texture, flags, m.luminosity, 0});
+        scene.materials.push_back({m.colour, m.texture, flags, m.luminosity, m.diffuse});
     }
     scene.materialRefs = world.materialRefs;
 }
@@ -120,6 +121,7 @@ SceneUpload buildScene(const StaticScene& scene) {
     upload.lampRefs = world.lampRefs;
     upload.details = {world.details.land.texture, world.details.exteriors.texture,
                       world.details.shells.texture};
+    upload.defines = definesOf(world.readings);
     upload.lamps = static_cast<std::uint32_t>(world.lights.size());
     return upload;
 }

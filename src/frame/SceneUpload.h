@@ -3,6 +3,7 @@
 #include "frame/GpuLayout.h"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace limen::frame {
@@ -37,6 +38,7 @@ struct SceneUpload {
     std::uint32_t lamps = 0;             ///< size of FramePlan::lamps
     std::vector<TextureUpload> textures;
     SceneDetails details;
+    std::vector<std::string> defines; ///< macros of the programs that draw it (frame/ReadingDefines.h)
 };
 
 } // namespace limen::frame

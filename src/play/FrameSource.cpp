@@ -25,9 +25,10 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Recordings hold no zone option; it does not change pictures.
-world::LoadOptions sameZones(world::LoadOptions load, const engine::Session& session) {
+/// Recordings hold no zone option, which does not change pictures, and no readings: a replay compares them.
+world::LoadOptions asRecorded(world::LoadOptions load, const engine::Session& session) {
     load.mergeZones = session.options().load.mergeZones;
+    load.readings = session.options().load.readings;
     return load;
 }
 
@@ -38,7 +39,7 @@ bool RecordedResidency::readNext() {
     const std::optional<engine::PartTarget> next = std::exchange(next_, std::nullopt);
     if (!next)
         return false;
-    session_.setLoadOptions(sameZones(next->options, session_));
+    session_.setLoadOptions(asRecorded(next->options, session_));
     const engine::PartTarget target{next->centre, session_.options().load};
     if (session_.part().target == target)
         return false;
@@ -73,7 +74,7 @@ Result<std::unique_ptr<ReplayedFrames>> ReplayedFrames::open(engine::Session& se
         return Failure(view.error());
     view->size = record.frames.front().input.size;
     if (record.streamed)
-        session.setLoadOptions(sameZones(*record.streamed, session));
+        session.setLoadOptions(asRecorded(*record.streamed, session));
     if (Result<void> loaded = session.load(engine::centreOf(*view)); !loaded)
         return Failure(loaded.error());
     Result<engine::FrameRequest> first =

@@ -43,8 +43,8 @@ private:
     bool isRefused_ = false;
 };
 
-/// Replays a walk in the session's world. A streamed walk loads the recorded parts; the session's load
-/// options do not apply.
+/// Replays a walk in the session's world. A streamed walk loads the recorded parts; of the session's load
+/// options only the zones and the readings apply.
 class ReplayedFrames final : public FrameSource {
 public:
     /// Loads the blocks around the start. Errors: the session's; a start that no place matches.

@@ -4,11 +4,10 @@
 #include "engine/CheckView.h"
 #include "output/RegionOverlay.h"
 #include "viewer/Screenshots.h"
+#include "viewer/SelectionPulse.h"
 #include "viewer/panel/PanelParts.h"
 
-#include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <utility>
 
 namespace limen::viewer {
@@ -258,13 +257,9 @@ Result<void> WorldView::check() {
 }
 
 std::optional<frame::Highlight> WorldView::selectionPulse() const {
-    constexpr double kPulse = 1.2; // seconds
-    constexpr std::uint32_t kYellow = 0x0040D0FFu;
     if (!picked_ || picked_->object == 0 || picked_->isLandscape)
         return {};
-    const double wave = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * request().scene.seconds / kPulse);
-    const auto strength = static_cast<std::uint32_t>(std::lround(40.0 + 120.0 * wave));
-    return frame::Highlight{picked_->object, kYellow | strength << 24};
+    return viewer::selectionPulse(picked_->object, request().scene.seconds);
 }
 
 void WorldView::take(const PanelChoice& choice) {

@@ -16,6 +16,7 @@ struct LoadOptions {
     /// distance.
     double detail = 1.0;
     int farRadius = 0; ///< blocks each way; beyond `radius`, their ground alone is loaded
+    Readings readings{};
     friend bool operator==(const LoadOptions&, const LoadOptions&) = default;
 };
 

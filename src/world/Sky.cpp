@@ -121,10 +121,12 @@ void replaceValues(const dat::SkyObjectReplace* from, const dat::SkyObjectReplac
     out.diffuse = mixedHundredths(from->maxBright, to->maxBright, f, isPositive).value_or(1.0f);
 }
 
-/// From the eye to the origin of a sky object's model, upwards. Weather has a height of its own.
-float pinnedZ(const dat::SkyObject& object, double eyeZ) {
-    const bool hasOwn = (object.properties & kWeather) != 0 && (object.properties & kAtViewer) == 0;
-    return hasOwn ? static_cast<float>(kNotPinned - eyeZ) : 0.0f;
+/// From the eye to the origin of a sky object's model. Weather follows the eye, but may have a height of its own.
+Vec3f offsetOf(const dat::SkyObject& object, const SkyView& view) {
+    if ((object.properties & kWeather) == 0)
+        return Vec3f(view.origin);
+    const bool hasHeight = (object.properties & kAtViewer) == 0;
+    return {0.0f, 0.0f, hasHeight ? static_cast<float>(kNotPinned - view.eyeZ) : 0.0f};
 }
 
 double lastTick(const Sky& sky, double time, double tickSeconds) {
@@ -238,7 +240,7 @@ void skyPlacements(const Sky& sky, const SkyView& view, std::vector<SkyPlacement
         const double turn = from != nullptr ? double{from->rotate} : 0.0;
         placement.rotation =
             rotationAbout(1, -arcAngle(part.object, t) * kDegree) * rotationAbout(2, -turn * kDegree);
-        placement.offset.z = pinnedZ(part.object, view.eyeZ);
+        placement.offset = offsetOf(part.object, view);
         placement.uvOffset = {
             static_cast<float>(std::fmod(static_cast<double>(part.object.texVelocityX) * view.seconds, 1.0)),
             static_cast<float>(std::fmod(static_cast<double>(part.object.texVelocityY) * view.seconds, 1.0))};

@@ -27,7 +27,8 @@ struct SkyPart {
 struct SkyWeather {
     std::uint32_t dayGroup = 0;
     dat::SkyObject object;
-    /// Without a carrier, outdoors, alone. Its style has no `offset`: `spread` displaces births instead.
+    /// Without a carrier, outdoors, alone. Of SkyParticles::Around its style has no `offset`: `spread` displaces births
+    /// instead.
     ParticleSource source;
     Vec3 spread{0.0}; ///< greatest distance of births from the eye along each axis, metres
     double drift =
@@ -98,6 +99,7 @@ struct SkyView {
     double seconds = 0.0;   ///< age of the world, which moves textures
     double eyeZ = 0.0;      ///< global, metres
     bool isOutdoors = true; ///< the eye; else nothing is over the land
+    Vec3 origin{0.0};       ///< of objects that are not weather, from the eye, metres
 };
 
 /// The sky parts that are shown, in drawing order. `out` is overwritten and keeps its capacity.

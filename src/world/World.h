@@ -10,6 +10,7 @@
 #include "world/LevelRange.h"
 #include "world/Moving.h"
 #include "world/Particles.h"
+#include "world/Readings.h"
 #include "world/Sky.h"
 
 #include <algorithm>
@@ -58,6 +59,7 @@ struct Space {
     std::uint32_t lightSet = 0;  ///< index into lightSets: of objects without a set of their own
     bool seenOutside = false;    ///< the record's flag: its ambient light is that of the sky
     bool ofBuilding = false; ///< reached from a building portal: may contain a position found without history
+    Vec3 origin{0.0};        ///< of the cell's own frame, global
     Aabb bounds;             ///< global; of the shell's and the portals' vertices
     std::uint32_t firstBspNode = 0,
                   bspNodeCount = 0; ///< a run of World::cellBspNodes; none: contains no point
@@ -202,6 +204,7 @@ struct Material {
     std::uint32_t flags = 0;
     Vec4f colour{1.0f};      ///< white with a texture; alpha = 1 - translucency
     float luminosity = 0.0f; ///< emitted light, 0..1
+    float diffuse = 1.0f;    ///< 0..1; counts by Readings::surfaceDiffuse alone
     dat::RecordId surface = 0;
     friend bool operator==(const Material&, const Material&) = default;
 };
@@ -264,6 +267,7 @@ struct Finding {
 };
 
 struct World {
+    Readings readings; ///< of the records that it was made from
     std::vector<Block> blocks;
     std::vector<Space> spaces;
     std::vector<Portal> portals;

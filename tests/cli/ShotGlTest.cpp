@@ -124,6 +124,30 @@ TEST(Shot, theReproductionCommandDrawsTheSamePicture) {
     EXPECT_EQ(getText(runner.work() / "a.npy"), getText(runner.work() / "b.npy"));
 }
 
+TEST(Shot, readingsChangeThePicture_theirDefaultsDoNot) {
+    const ProgramRunner runner;
+    const auto pictureBy = [&](const std::string& readings) {
+        std::vector<std::string> arguments{"shot",  "--at", "hill",  "--pitch", "20",    "--size",
+                                           "96x54", "-o",   "a.png", "--json",  "a.json"};
+        if (!readings.empty())
+            arguments.insert(arguments.end(), {"--readings", readings});
+        expectDone(runner.run(arguments));
+        return getText(runner.work() / "a.png");
+    };
+    const std::string usual = pictureBy("");
+    EXPECT_THAT(getText(runner.work() / "a.json"), testing::Not(HasSubstr("readings")));
+    EXPECT_EQ(pictureBy("sky-place=eye,sky-particles=around,cell-fog=world,wall-emission=added,"
+                        "surface-diffuse=none,wall-grey=1,normals=unit,details=on,grain=lit,level-bias=1"),
+              usual);
+    EXPECT_NE(pictureBy("sky-place=block"), usual) << "domes are elsewhere";
+    EXPECT_THAT(getText(runner.work() / "a.json"), HasSubstr("--readings=sky-place=block"));
+    const ProgramRun refused =
+        runner.run({"shot", "--at", "hill", "--readings", "sky-place=moon", "-o", "a.png"});
+    EXPECT_EQ(refused.exit, 2);
+    EXPECT_THAT(refused.err, HasSubstr("'moon' is not a value of sky-place; choose from eye, block, cell"));
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1);
+}
+
 TEST(Shot, manyViewsGiveTheSameAsOneByOne) {
     const ProgramRunner runner;
     putText(

@@ -77,5 +77,14 @@ TEST(CheckView, shotOptionsSayAllOfIt) {
         "--body-opacity=0.5 --body-speed=2.2 --body-metres=17.5");
 }
 
+TEST(CheckView, theCommandHasTheReadingsOfItsWorld) {
+    world::World world = worldWithDoors();
+    EXPECT_EQ(reproduction(world, someEye(), " --dat x").find("readings"), std::string::npos);
+    world.readings.cellFog = world::CellFog::None;
+    world.readings.levelBias = 0.0;
+    EXPECT_TRUE(reproduction(world, someEye(), " --dat x")
+                    .starts_with("limen shot --dat x --readings=cell-fog=none,level-bias=0 --eye="));
+}
+
 } // namespace
 } // namespace limen::engine

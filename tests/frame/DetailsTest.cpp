@@ -50,6 +50,18 @@ TEST(Details, areNoneWithoutPicturesOrRepeats) {
     EXPECT_EQ(loadTestWorld(source.rooms.world).details, world::Details{});
 }
 
+TEST(Details, ofWallsAreOffByTheReading) {
+    GrainedRooms source;
+    world::LoadOptions options;
+    options.readings.details = world::DetailPictures::Off;
+    const world::Details on = loadTestWorld(source.rooms.world).details,
+                         off = loadTestWorld(source.rooms.world, options).details;
+    EXPECT_EQ(off.land, on.land) << "the option concerns walls";
+    EXPECT_NE(on.exteriors, world::DetailPicture{});
+    EXPECT_EQ(off.exteriors, world::DetailPicture{});
+    EXPECT_EQ(off.shells, world::DetailPicture{});
+}
+
 TEST(Details, areTexturesOfTheUploadThatRepeat) {
     GrainedRooms source;
     const world::World world = loadTestWorld(source.rooms.world);

@@ -167,6 +167,19 @@ TEST_F(PlannerTest, batchesDependOnTheStagesAlone) {
     EXPECT_EQ(batches({92, 91, 1.5}, 180, first), batches({92, 93, 1.5}, 180, first));
 }
 
+TEST_F(PlannerTest, hasNoFarPlane) {
+    const auto& plan = planned.planFrom({92, 104, 1.5}, 0, world::kOutside);
+    float before = 2.0f;
+    for (const float metres : {0.5f, 100.0f, 3999.0f, 4001.0f, 1e6f, 1e9f}) {
+        const Vec3f way = Vec3f(planned.view.view.forward) * metres;
+        const frame::gpu::vec4 clip = plan.constants.clipFromEye * frame::gpu::vec4(way, 1.0f);
+        const float depth = clip.z / clip.w; // 1 at the near plane
+        EXPECT_GT(depth, 0.0f) << metres << " m are not clipped";
+        EXPECT_LT(depth, before);
+        before = depth;
+    }
+}
+
 TEST_F(PlannerTest, theEyeIsTwoFloatsAndBlocksWholeMultiples) {
     const Vec3 eye(92.123456789, 91.987654321, 1.5);
     const auto& plan = planned.planFrom(eye, 0, first);

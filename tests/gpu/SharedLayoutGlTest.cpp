@@ -110,7 +110,7 @@ std::vector<SharedStruct> sharedStructs() {
         {"Material",
          sizeof(layout::Material),
          {MEMBER(Material, colour), MEMBER(Material, texture), MEMBER(Material, flags),
-          MEMBER(Material, luminosity), MEMBER(Material, reserved0)}},
+          MEMBER(Material, luminosity), MEMBER(Material, diffuse)}},
         {"TextureRef", sizeof(layout::TextureRef), {MEMBER(TextureRef, place)}},
         {"TerrainLayer",
          sizeof(layout::TerrainLayer),

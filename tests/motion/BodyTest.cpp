@@ -33,6 +33,22 @@ TEST(Body, fallsOntoTheFloorAndStands) {
     EXPECT_EQ(walker.body.standing.feet, before) << "motionless, to the bit";
 }
 
+TEST(Body, doesNotWade) {
+    constexpr std::uint8_t kHeight = 1; // 2 m
+    std::vector<double> heights;
+    for (const std::uint8_t type : {std::uint8_t{1}, std::uint8_t{16}, std::uint8_t{18}, std::uint8_t{20}}) {
+        test::TestWorld source;
+        source.setFlatTerrain(source.home(), kHeight, type);
+        Walker walker(source);
+        walker.put({60, 60, 2.5}, world::kOutside);
+        walker.stand(1.0);
+        EXPECT_TRUE(walker.body.isOnGround);
+        heights.push_back(walker.feet().z);
+    }
+    EXPECT_NEAR(heights.front(), 2.0, kNear);
+    EXPECT_EQ(heights, std::vector<double>(4, heights.front())) << "grass, and types of water";
+}
+
 TEST(Body, goesAsFastAsItIsAskedTo) {
     Hut hut;
     Walker walker(hut.source);

@@ -1,8 +1,9 @@
 #include "motion/DynamicStateBuilder.h"
 #include "motion/Villagers.h"
 
-#include "support/MovingHut.h"
+#include "support/Puppet.h"
 #include "world/Loader.h"
+#include "world/assemble/BodyAssembler.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>
@@ -61,6 +62,19 @@ TEST(DynamicStateBuilder, closedOpaqueDoorsShutBothWays) {
     f.at(0, 0.001);
     EXPECT_FALSE(f.dynamics.isClosed(doors[0].portal)) << "shut only when exactly closed";
     EXPECT_EQ(f.dynamics.fillings[doors[0].portal], world::kNone);
+}
+
+TEST(DynamicStateBuilder, drawsThePartsOfABodysSetupAndNoShadow) {
+    test::Puppet puppet;
+    const world::World world = puppet.load();
+    DynamicStateBuilder builder(world);
+    world::DynamicState dynamics;
+    builder.build({}, dynamics);
+    std::vector<std::uint32_t> records;
+    for (const world::Instance& instance : dynamics.instances)
+        if (instance.object == world::dynamicObject(world::DynamicObject::Villager, 0))
+            records.push_back(instance.record);
+    EXPECT_THAT(records, UnorderedElementsAre(puppet.trunk, puppet.leg));
 }
 
 TEST(DynamicStateBuilder, doorsRestAsTheWorldFileSaysUnlessTold) {

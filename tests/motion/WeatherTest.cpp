@@ -33,19 +33,21 @@ struct Sky {
         object.script = effects.addScript(
             {{0.0, EffectsHut::create(effects.add(record), EffectsHut::kWhole, {0, 0, 2})}});
     }
-    world::World load() {
+    world::World load(const world::Readings& readings = {}) {
         dat::DayGroup weather;
         weather.objects = {object};
         effects.hut.source.region().sky.dayGroups = {{}, weather};
-        world::World world = effects.hut.load();
+        world::LoadOptions options;
+        options.readings = readings;
+        world::World world = effects.hut.load(options);
         EXPECT_TRUE(world.findings.empty()) << test::findingsOf(world);
         return world;
     }
 };
 
 struct Falling {
-    explicit Falling(Sky sky)
-        : record(sky.effects.spark), world(sky.load()), home(sky.effects.hut.at(Vec3(0.0))) {}
+    explicit Falling(Sky sky, const world::Readings& readings = {})
+        : record(sky.effects.spark), world(sky.load(readings)), home(sky.effects.hut.at(Vec3(0.0))) {}
 
     /// The positions of the particles around an eye, block-local.
     std::vector<Vec3> around(const Vec3& eye, std::optional<world::SkyHour> hour = world::SkyHour{1, 0.5}) {
@@ -117,6 +119,30 @@ TEST(Weather, bornCloseTogetherItGoesWithTheEye) {
     ASSERT_THAT(after, SizeIs(300));
     for (std::size_t i = 0; i < before.size(); ++i)
         EXPECT_LT(glm::length(after[i] - then - (before[i] - eye)), 1e-3);
+}
+
+TEST(Weather, byAnotherReadingIsDensestAtTheEye_andGoesWithIt) {
+    world::Readings readings;
+    readings.skyParticles = world::SkyParticles::Eye;
+    Falling falling{Sky(), readings};
+    const Vec3 eye(60, 60, 4), then(64.5, 57, 6);
+    const std::vector<Vec3> before = falling.around(eye), after = falling.around(then);
+    ASSERT_THAT(before, SizeIs(300));
+    ASSERT_THAT(after, SizeIs(300));
+    std::size_t near = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        EXPECT_LT(glm::length(after[i] - then - (before[i] - eye)), 1e-3);
+        EXPECT_LE(level(before[i] - eye), kRainRadius + 1e-3);
+        near += level(before[i] - eye) < 0.25 * kRainRadius ? 1 : 0;
+    }
+    EXPECT_NEAR(static_cast<double>(near) / 300.0, 0.25, 0.08)
+        << "distances are spread evenly: over the ground it would be a sixteenth";
+}
+
+TEST(Weather, byAnotherReadingIsNone) {
+    world::Readings readings;
+    readings.skyParticles = world::SkyParticles::None;
+    EXPECT_THAT(Falling(Sky(), readings).around({60, 60, 4}), IsEmpty());
 }
 
 TEST(Weather, ofNoSensibleSizeItIsNotLookedForForEver) {

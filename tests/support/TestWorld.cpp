@@ -152,6 +152,7 @@ std::uint32_t TestWorld::addBuilding(Walls exterior, std::vector<Portal> exits,
     model.vertexArray = std::move(mesh.vertices);
     model.polygons = std::move(mesh.polygons);
     model.drawingBsp.nodes = {port, dat::BspNode(), dat::BspNode()};
+    addLevels(options.levels, model);
     portalFile_.add(model);
     building.model = model.id;
     building.frame = options.frame;
@@ -192,15 +193,19 @@ std::uint32_t TestWorld::addModel(const Walls& walls, std::vector<dat::DegradeLe
     model.vertexArray = std::move(mesh.vertices);
     model.polygons = std::move(mesh.polygons);
     model.drawingBsp = leafTree();
-    if (!levels.empty()) {
-        for (dat::DegradeLevel& level : levels)
-            level.gfxObj = level.gfxObj == kItself ? model.id : level.gfxObj;
-        model.flags |= dat::GfxObj::kHasDegrade;
-        model.degradeId = nextDegrade_++;
-        portalFile_.add(dat::DegradeInfo{model.degradeId, std::move(levels)});
-    }
+    addLevels(std::move(levels), model);
     portalFile_.add(model);
     return model.id;
+}
+
+void TestWorld::addLevels(std::vector<dat::DegradeLevel> levels, dat::GfxObj& model) {
+    if (levels.empty())
+        return;
+    for (dat::DegradeLevel& level : levels)
+        level.gfxObj = level.gfxObj == kItself ? model.id : level.gfxObj;
+    model.flags |= dat::GfxObj::kHasDegrade;
+    model.degradeId = nextDegrade_++;
+    portalFile_.add(dat::DegradeInfo{model.degradeId, std::move(levels)});
 }
 
 std::uint32_t TestWorld::addSetup(dat::Setup setup) {

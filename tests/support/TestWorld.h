@@ -53,6 +53,7 @@ public:
         dat::Frame frame;
         Vec3 portalShift{0.0};     ///< moves the building's own portal polygons away from the cells'
         std::string portalSurface; ///< of the portal polygons; empty: one without a picture
+        std::vector<dat::DegradeLevel> levels; ///< of detail, of its model; kItself as in addModel
     };
 
     explicit TestWorld(dat::BlockCoord home = {0x20, 0x30});
@@ -152,6 +153,7 @@ private:
     Portal addPortal(Cell cell, std::vector<Vec3> polygon, const LinkOptions& options,
                      std::uint16_t otherCell);
     [[nodiscard]] dat::CellStruct cellStruct(CellData& cell);
+    void addLevels(std::vector<dat::DegradeLevel> levels, dat::GfxObj& model);
     std::uint32_t addPictured(const std::string& name, const dat::RenderSurface& image, dat::Surface surface);
     /// The name, or that of a surface without a picture.
     std::string portalSurface(const std::string& name);

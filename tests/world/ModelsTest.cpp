@@ -1,5 +1,7 @@
 #include "world/mesh/Models.h"
 
+#include "world/mesh/ModelCache.h"
+
 #include "support/LoadTestWorld.h"
 
 #include <cmath>
@@ -23,12 +25,13 @@ struct Levels {
         setup = source.addSetup(both);
     }
 
-    Model model(dat::RecordId id, double detail = 1.0) {
+    Model model(dat::RecordId id, double detail = 1.0) { return model(id, LevelLimits{detail, 1.0}); }
+    Model model(dat::RecordId id, const LevelLimits& limits) {
         const test::TempDir directory;
         EXPECT_TRUE(source.write(directory.path()));
         const Result<dat::Archive> archive = dat::Archive::open(directory.path());
         Records records(*archive);
-        Models models(records, detail);
+        Models models(records, limits);
         return models.model(id);
     }
 };
@@ -128,6 +131,34 @@ TEST(Models, scaleTheGreatestDistancesByDetail) {
     const Model finest = levels.model(levels.first, kEndless);
     EXPECT_EQ(bandsOf(finest.parts), Bands(1));
     EXPECT_EQ(idsOf(finest.farther), Ids{});
+}
+
+// ideal + b (max - ideal) for b >= 0, else ideal + b (ideal - min): docs/formats/geometry.md.
+TEST(Models, changeLevelsByTheQualityBias) {
+    Levels levels({{kItself, kMesh, 10, 25, 50}, {kThird, kMesh, 30, 50, 100}, {kSecond, kMesh, 0, 0, 900}});
+    for (const auto& [bias, first, second] : {std::tuple{1.0, 100.0, 150.0},
+                                              {0.5, 87.5, 125.0},
+                                              {0.0, 75.0, 100.0},
+                                              {-0.5, 67.5, 90.0},
+                                              {-1.0, 60.0, 80.0}}) {
+        const Model model = levels.model(levels.first, LevelLimits{1.0, bias});
+        EXPECT_EQ(bandsOf(model.parts), (Bands{{0, first}})) << bias;
+        EXPECT_EQ(bandsOf(model.farther), (Bands{{first, second}, {second, kEndless}})) << bias;
+    }
+    EXPECT_EQ(bandsOf(levels.model(levels.first, LevelLimits{2.0, 0.0}).parts), (Bands{{0, 100}}));
+}
+
+TEST(Models, ofEachQualityBiasAreCachedApart) {
+    Levels levels({{kItself, kMesh, 10, 25, 50}, {kThird, kMesh, 25, 50, 100}});
+    const test::TempDir directory;
+    ASSERT_TRUE(levels.source.write(directory.path()));
+    const Result<dat::Archive> archive = dat::Archive::open(directory.path());
+    Records records(*archive);
+    ModelCache cache(1 << 20, 1 << 20);
+    for (const auto& [bias, upTo] : {std::pair{1.0, 100.0}, {0.0, 75.0}, {1.0, 100.0}}) {
+        Models models(records, {.bias = bias}, &cache);
+        EXPECT_EQ(bandsOf(models.model(levels.first).parts), (Bands{{0, upTo}}));
+    }
 }
 
 TEST(Models, turnLevelsByTheirMode) {

@@ -269,6 +269,25 @@ TEST(BuildingPortals, useTheCellsPolygonTurnedRound) {
     }
 }
 
+TEST(Buildings, areDrawnAtLevel0AtEveryDistance) {
+    Hut hut;
+    TestWorld::BuildingOptions options;
+    const std::uint32_t far = hut.source.addModel(test::boxExterior({10, 10, 2}, {14, 14, 5}));
+    options.levels = {{TestWorld::kItself, dat::DegradeLevel::kMesh, 0, 0, 20},
+                      {far, dat::DegradeLevel::kMesh, 20, 40, 60}};
+    hut.source.addBuilding(test::boxExterior({10, 10, 2}, {14, 14, 5}), {hut.door}, options);
+    const World world = test::loadTestWorld(hut.source);
+    std::size_t exteriors = 0;
+    for (const Instance& instance : world.instances) {
+        EXPECT_NE(instance.record, far);
+        if (instance.kind != InstanceKind::Exterior)
+            continue;
+        ++exteriors;
+        EXPECT_EQ(instance.level, kNone) << "from anywhere";
+    }
+    EXPECT_EQ(exteriors, 1u);
+}
+
 TEST(BuildingPortals, aPictureInTheModelMakesAWallSeenFromOutside) {
     Hut hut;
     TestWorld::BuildingOptions options;

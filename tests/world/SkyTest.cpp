@@ -245,6 +245,21 @@ TEST(SkyPlacements, ofWeatherFollowTheViewer) {
     }
 }
 
+TEST(SkyPlacements, standAtTheOriginOfTheirView_butWeather) {
+    for (const auto& [properties, offset] : {std::pair{0u, Vec3f(-7, 3, -30)},
+                                             {1u, Vec3f(-7, 3, -30)},
+                                             {4u, Vec3f(0, 0, -150)},
+                                             {12u, Vec3f(0, 0, 0)}}) {
+        Sky sky = twoKeys();
+        sky.parts = {SkyPart{}};
+        sky.parts[0].object.properties = properties;
+        std::vector<SkyPlacement> out;
+        skyPlacements(sky, {0, 0.5, 0.0, 30.0, true, Vec3(-7, 3, -30)}, out);
+        ASSERT_EQ(out.size(), 1u);
+        EXPECT_EQ(out[0].offset, offset) << properties;
+    }
+}
+
 TEST(SkyPlacements, overTheLandAreForViewersOutdoors) {
     Sky sky = twoKeys();
     sky.parts = {SkyPart{}, SkyPart{}};

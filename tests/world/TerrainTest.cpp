@@ -236,6 +236,24 @@ TEST(TerrainCells, arePaintedFromTheRegionsTextures) {
     EXPECT_EQ(world.textures[plain.base.texture]->rgba[1], 0x80) << "grassland";
 }
 
+TEST(TerrainCells, ofWaterArePaintedAsOtherGround) {
+    constexpr std::uint8_t kWater = 18;
+    TestWorld source;
+    source.setFlatTerrain(source.home(), 1, kWater);
+    auto& rows = source.region().texMerge.textures;
+    dat::TerrainTexture row = rows.front();
+    row.terrainType = kWater;
+    row.texture = rows[2].texture;
+    rows.push_back(row);
+    const World world = test::loadTestWorld(source);
+    for (const TerrainCell& cell : world.terrainCells) {
+        EXPECT_EQ(world.textures.at(cell.base.texture)->rgba[0], 0xC0) << "the picture of its row";
+        EXPECT_EQ(cell.overlays[0].texture, kNone);
+    }
+    for (const Instance& instance : world.instances)
+        EXPECT_EQ(instance.kind, InstanceKind::Terrain) << "no surface of water is added";
+}
+
 TEST(IsOnRoad, followsTheTableOfTheFormat) {
     Ground ground;
     const auto pave = [&](std::initializer_list<std::pair<int, int>> vertices) {

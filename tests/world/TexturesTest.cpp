@@ -239,6 +239,7 @@ TEST(Materials, shineByTheirLuminosity_whateverTheirFlags) {
     const World world = test::loadTestWorld(source);
     EXPECT_EQ(materialOf(world, plain).luminosity, 0.8f);
     EXPECT_EQ(materialOf(world, flagged).luminosity, 0.8f);
+    EXPECT_EQ(materialOf(world, plain).diffuse, 0.25f) << "it counts by a reading alone";
 }
 
 TEST(Materials, areTranslucentAboveAFiveThousandth) {
@@ -304,6 +305,23 @@ TEST(Materials, fallBackToGreyAndSaySo) {
     ASSERT_NE(materialOf(world, surface).texture, kNone);
     EXPECT_EQ(world.textures[materialOf(world, surface).texture]->rgba[0], 128);
     EXPECT_THAT(test::findingsOf(world), HasSubstr("JPEG picture"));
+}
+
+TEST(Materials, takeTheFirstPictureThatExists) {
+    for (const bool isFirstThere : {true, false}) {
+        test::TestWorld source;
+        const std::uint32_t texture = source.nextTexture();
+        const auto surface =
+            source.picture("two", test::solidImage(8, 8, 0xFF112233), dat::Surface::kBase1Image);
+        dat::SurfaceTexture record;
+        record.id = texture;
+        record.images = {isFirstThere ? 0x06000100u : 0x06000999u, 0x06000001}; // of 8 and of 4 texels
+        source.portalFile().add(record);
+        source.addBox({0, 0, 0}, {4, 4, 3}, "two");
+        const World world = test::loadTestWorld(source);
+        ASSERT_NE(materialOf(world, surface).texture, kNone);
+        EXPECT_EQ(world.textures[materialOf(world, surface).texture]->width, isFirstThere ? 8u : 4u);
+    }
 }
 
 TEST(Materials, decodeAPictureOnceHoweverManySurfacesUseIt) {

@@ -286,6 +286,32 @@ TEST(Villagers, haveBodiesAndRoutes) {
     }
 }
 
+TEST(Villagers, haveASoftShadowOnTheGroundAsAPartOfTheirSetup) {
+    std::map<std::uint32_t, std::uint32_t> types;
+    for (const auto& [id, surface] : world().surfaces)
+        types[id] = surface.type;
+    const auto isShadow = [&](std::uint32_t gfxObj) {
+        for (const dat::GfxObj& g : world().gfxObjs) {
+            if (g.id != gfxObj)
+                continue;
+            Aabb box;
+            for (const auto& polygon : modelPolygons(gfxObj))
+                for (const Vec3& p : polygon)
+                    box.include(p);
+            return box.max.z < 0.02 && g.surfaces.size() == 1 &&
+                   (types.at(g.surfaces[0]) & dat::Surface::kAlpha) != 0;
+        }
+        return false;
+    };
+    for (const Json& villager : listOf("villagers")) {
+        const std::uint32_t id = idOf(villager.at("model"));
+        for (const dat::Setup& setup : world().setups)
+            if (setup.id == id)
+                EXPECT_GE(std::count_if(setup.parts.begin(), setup.parts.end(), isShadow), 1)
+                    << villager.at("name") << ": the carter's cart has a second one";
+    }
+}
+
 TEST(Villagers, fourOrMoreWalkThroughDoors) {
     std::set<std::string> throughDoors;
     for (const Json& route : listOf("routes")) {

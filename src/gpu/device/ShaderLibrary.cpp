@@ -65,7 +65,7 @@ Result<std::string> shaderText(std::string_view name, const ProgramSource& sourc
     std::string text = "#version 450 core\n" + textureDefines(source.textures);
     text += stageDefine(name);
     for (const std::string& define : source.defines)
-        text += "#define " + define + " 1\n";
+        text += "#define " + define + (define.find(' ') == std::string::npos ? " 1\n" : "\n");
     for (const std::string_view part : shader->parts)
         text += part;
     return text;

@@ -43,7 +43,7 @@ struct ProgramSource {
     std::string label{};        ///< for debuggers and messages, unique per variant
     std::string vertexShader{}; ///< names of embedded shaders
     std::string fragmentShader{};
-    std::vector<std::string> defines{}; ///< e.g. "GATED"
+    std::vector<std::string> defines{}; ///< "NAME", e.g. "GATED", or "NAME VALUE"
     TextureBinding textures{};
     std::string computeShader{}; ///< replaces the two others
     std::vector<UniformValue> uniforms{};

@@ -189,6 +189,7 @@ Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {
         return {};
     const TextureBinding& sampled = program == frame::Program::Terrain ? textures_.terrain : textures_.meshes;
     ProgramSource source = programSource(drawing_, program, variant, sampled);
+    source.defines.insert(source.defines.end(), textures_.defines.begin(), textures_.defines.end());
     source.defines.insert(source.defines.end(), defines_.begin(), defines_.end());
     Result<ProgramHandle> made = device_->createProgram(source);
     if (!made)

@@ -23,17 +23,18 @@ struct ProgramVariant {
 [[nodiscard]] ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVariant variant,
                                           const TextureBinding& textures);
 
-/// Texture bindings of a scene's programs.
+/// Texture bindings and macros of a scene's programs.
 struct SceneBindings {
     TextureBinding meshes, terrain;
     bool grainedMeshes = false, grainedLand = false; ///< the scene has detail pictures for them
+    std::vector<std::string> defines{};              ///< frame::SceneUpload::defines
     friend bool operator==(const SceneBindings&, const SceneBindings&) = default;
 };
 
-/// All programs of a frame for one texture binding. Destroyed with this.
+/// All programs of a frame for the bindings of a scene. Destroyed with this.
 class Programs {
 public:
-    /// Builds the programs of lit frames. `defines` go to every shader, including later ones. Errors: Driver,
+    /// Builds the programs of lit frames. `defines` go to every shader, too, including later ones. Errors: Driver,
     /// with the log of the first that fails.
     [[nodiscard]] static Result<Programs> create(Device& device, Drawing drawing,
                                                  const SceneBindings& textures,

@@ -29,7 +29,7 @@ SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures&
     terrain.push_back(details.land);
     return {bindingFor(textures, meshes), bindingFor(textures, terrain),
             details.exteriors != layout::kNoTexture || details.shells != layout::kNoTexture,
-            details.land != layout::kNoTexture};
+            details.land != layout::kNoTexture, upload.defines};
 }
 
 /// Whether the previous pages keep their numbers.

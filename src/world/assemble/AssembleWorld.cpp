@@ -27,11 +27,13 @@ const dat::Region* regionWithSky(const dat::Region* region) {
 
 /// The first three rows of the Region's ground textures name the grain of the ground, of exteriors and of
 /// shells, whatever the terrain types of the rows are.
-Details detailsOf(const dat::Region& region, Materials& materials) {
+Details detailsOf(const dat::Region& region, const Readings& readings, Materials& materials) {
     Details details;
+    const std::size_t count =
+        readings.details == DetailPictures::On ? 3 : 1; // the option concerns walls alone
     const std::vector<dat::TerrainTexture>& rows = region.texMerge.textures;
     const std::array<DetailPicture*, 3> pictures{&details.land, &details.exteriors, &details.shells};
-    for (std::size_t i = 0; i < std::min(pictures.size(), rows.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(count, rows.size()); ++i) {
         constexpr std::uint32_t kMostTiling = 1024;
         if (rows[i].detailTexture != 0 && rows[i].detailTiling != 0)
             *pictures[i] = {materials.plainTexture(rows[i].detailTexture),
@@ -43,8 +45,9 @@ Details detailsOf(const dat::Region& region, Materials& materials) {
 } // namespace
 
 World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, const MovingEntries& moving) {
-    auto& [records, models, region, pictures] = sources;
+    auto& [records, models, region, pictures, readings] = sources;
     World world;
+    world.readings = readings;
     MeshArena arena(world);
     Materials materials(records, world, pictures);
     MaterialRuns runs(materials, world);
@@ -92,7 +95,7 @@ World assembleWorld(const AssemblySources& sources, const NextBlock& nextBlock, 
         world.player.ghost = bodies.addBlended(world.player.solid);
     }
     if (region != nullptr)
-        world.details = detailsOf(*region, materials);
+        world.details = detailsOf(*region, readings, materials);
     const dat::Region* const sky = regionWithSky(region);
     if (sky != nullptr)
         particles.addWeather(sky->sky);

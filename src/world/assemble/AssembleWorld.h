@@ -14,6 +14,7 @@ struct AssemblySources {
     Models& models;
     const dat::Region* region = nullptr; ///< null: the world has none
     PictureCache* pictures = nullptr;    ///< null: pictures are decoded anew
+    Readings readings{};
 };
 
 /// Yields the next block; null after the last one.

@@ -157,6 +157,8 @@ std::optional<ParticleSource> ParticleAssembler::sourceOf(const EmitterStart& st
 }
 
 void ParticleAssembler::addWeather(const dat::SkyDesc& sky) {
+    if (world_.readings.skyParticles == SkyParticles::None)
+        return;
     for (std::uint32_t group = 0; group < sky.dayGroups.size(); ++group) {
         const std::vector<dat::SkyObject>& objects = sky.dayGroups[group].objects;
         for (std::uint32_t i = 0; i < objects.size(); ++i)
@@ -181,8 +183,11 @@ void ParticleAssembler::addWeather(std::uint32_t dayGroup, std::uint32_t number,
         if (!made)
             continue;
         ParticleStyle style = world_.particleStyles[made->style];
-        const Vec3 spread = spreadOf(style.offset);
-        style.offset = {};
+        Vec3 spread(0.0);
+        if (world_.readings.skyParticles == SkyParticles::Around) {
+            spread = spreadOf(style.offset);
+            style.offset = {};
+        }
         made->style = static_cast<std::uint32_t>(world_.particleStyles.size());
         world_.particleStyles.push_back(style);
         world_.sky.weather.push_back({dayGroup, object, *made, spread, horizontalReach(style, made->offset)});

@@ -55,6 +55,7 @@ void SpaceAssembler::addCells(const JoiningBlock& block) {
         Space space;
         space.cellId = cell.id;
         space.block = block.index;
+        space.origin = cell.origin + block.origin;
         space.seenOutside = cell.seenOutside;
         space.ofBuilding = cell.ofBuilding;
         if (!cell.shape.bounds.empty())

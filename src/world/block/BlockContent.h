@@ -38,7 +38,8 @@ struct CellShape {
 struct CellContent {
     dat::RecordId id = 0;
     bool seenOutside = false, ofBuilding = false;
-    MeshData shell; ///< block-local
+    Vec3 origin{0.0}; ///< of its own frame, block-local
+    MeshData shell;   ///< block-local
     std::vector<dat::RecordId> surfaces;
     std::vector<bool> clamp;                        ///< by slot: false if its picture repeats
     std::uint32_t firstPortal = 0, portalCount = 0; ///< run of BlockContent::portals

@@ -170,6 +170,7 @@ void finishCell(const CellDraft& draft, const BakedGeometry& geometry, Records& 
     CellContent cell;
     cell.id = draft.record.id;
     cell.seenOutside = (draft.record.flags & dat::EnvCell::kSeenOutside) != 0;
+    cell.origin = poseOf(draft.record.position).origin;
     cell.surfaces = surfaceIds(draft.record);
     const std::vector<SurfaceList> lists = listsOf(cell.surfaces, records);
     PolygonMesher mesher(lists);

@@ -13,8 +13,9 @@ constexpr std::size_t kMostEnvironments = 64; // kept decoded from block to bloc
 
 /// The objects of one thread.
 struct BlockSource::Worker {
-    Worker(const dat::Archive& archive, const dat::Region* region, double detail, LoadCache* cache)
-        : records(archive), models(records, detail, cache != nullptr ? &cache->models : nullptr),
+    Worker(const dat::Archive& archive, const dat::Region* region, const LevelLimits& levels,
+           LoadCache* cache)
+        : records(archive), models(records, levels, cache != nullptr ? &cache->models : nullptr),
           merged(records, models, region, true), apart(records, models, region, false) {}
 
     std::optional<BlockContent> read(const BlockKey& key) {
@@ -29,11 +30,11 @@ struct BlockSource::Worker {
     BlockReader merged, apart;
 };
 
-BlockSource::BlockSource(const dat::Archive& archive, const dat::Region* region, double detail,
+BlockSource::BlockSource(const dat::Archive& archive, const dat::Region* region, const LevelLimits& levels,
                          const LoadHelp& help)
     : archive_(archive), region_(region), help_(help) {
     for (unsigned i = 0; i < std::max(help.threads, 1u); ++i)
-        workers_.push_back(std::make_unique<Worker>(archive_, region_, detail, help_.cache));
+        workers_.push_back(std::make_unique<Worker>(archive_, region_, levels, help_.cache));
 }
 
 BlockSource::~BlockSource() = default;

@@ -13,8 +13,9 @@ public:
     /// does not hold all its blocks twice.
     static constexpr std::size_t kBatch = 32;
 
-    /// All arguments outlive the object. `region` as in BlockReader, `detail` as in Models.
-    BlockSource(const dat::Archive& archive, const dat::Region* region, double detail, const LoadHelp& help);
+    /// All arguments outlive the object. `region` as in BlockReader, `levels` as in Models.
+    BlockSource(const dat::Archive& archive, const dat::Region* region, const LevelLimits& levels,
+                const LoadHelp& help);
     ~BlockSource();
     BlockSource(const BlockSource&) = delete;
     BlockSource& operator=(const BlockSource&) = delete;

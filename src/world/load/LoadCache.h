@@ -19,7 +19,7 @@ struct BlockKey {
     int x = 0, y = 0;
     Tier tier = Tier::Near;
     bool mergeZones = true;
-    double detail = 1.0;
+    LevelLimits levels{};
     auto operator<=>(const BlockKey&) const = default;
 };
 

@@ -65,21 +65,23 @@ Result<World> loadWorld(const dat::Archive& archive, dat::BlockCoord centre, con
     Result<std::unique_ptr<dat::Region>> region = loadRegion(archive, blocks);
     if (!region)
         return Failure(region.error());
+    const LevelLimits levels{options.detail, options.readings.levelBias};
     std::vector<BlockKey> keys;
     for (const dat::BlockCoord block : blocks) {
         const int away = std::max(std::abs(block.x - centre.x), std::abs(block.y - centre.y));
         keys.push_back(
-            {block.x, block.y, away > radius ? Tier::Far : Tier::Near, options.mergeZones, options.detail});
+            {block.x, block.y, away > radius ? Tier::Far : Tier::Near, options.mergeZones, levels});
     }
     if (help.progress != nullptr)
         help.progress->blocks = keys.size();
-    BlockSource source(archive, region->get(), options.detail, help);
+    BlockSource source(archive, region->get(), levels, help);
     BlockStream stream(source, std::move(keys));
     Records records(archive);
-    Models models(records, options.detail, help.cache != nullptr ? &help.cache->models : nullptr);
+    Models models(records, levels, help.cache != nullptr ? &help.cache->models : nullptr);
     PictureCache* const pictures = help.cache != nullptr ? &help.cache->pictures : nullptr;
     World world = assembleWorld(
-        {records, models, region->get(), pictures}, [&stream] { return stream.next(); }, moving);
+        {records, models, region->get(), pictures, options.readings}, [&stream] { return stream.next(); },
+        moving);
     if (help.progress != nullptr && help.progress->isCancelled)
         return fail(ErrorCode::Unreadable, archive.directory().string(), "loading was cancelled");
     if (world.blocks.empty())

@@ -51,7 +51,8 @@ Result<World> loadModel(const dat::Archive& archive, dat::RecordId model) {
     if (!isThere)
         return refused(model, ErrorCode::NotFound, "there is no such GfxObj or Setup");
     Records records(archive);
-    Models models(records, std::numeric_limits<double>::infinity()); // the nearest level of detail
+    Models models(records,
+                  {.detail = std::numeric_limits<double>::infinity()}); // the nearest level of detail
     const auto block = std::make_shared<BlockContent>();
     block->objects.emplace_back().model = model;
     std::shared_ptr<const BlockContent> next = block;

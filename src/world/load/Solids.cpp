@@ -38,7 +38,7 @@ class SolidsReader {
 public:
     SolidsReader(const dat::Archive& archive, const World& world, const dat::Region* region, Solids& out)
         : archive_(archive), world_(world), records_(archive),
-          models_(records_, std::numeric_limits<double>::infinity()),
+          models_(records_, {.detail = std::numeric_limits<double>::infinity()}),
           reader_(records_, models_, region, true), out_(out) {
         for (InstanceIndex i = 0; i < world.instances.size(); ++i)
             byObject_.try_emplace(world.instances[i].object, i);

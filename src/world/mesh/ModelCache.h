@@ -11,8 +11,8 @@ struct ModelCache {
     ModelCache(std::size_t mostModelBytes, std::size_t mostPartBytes)
         : models(mostModelBytes), parts(mostPartBytes) {}
 
-    LruCache<std::pair<dat::RecordId, double>, Found<Model>> models; ///< by id and the `detail` of Models
-    LruCache<dat::RecordId, Found<std::optional<PartMesh>>> parts;   ///< no value: the record is damaged
+    LruCache<std::pair<dat::RecordId, LevelLimits>, Found<Model>> models;
+    LruCache<dat::RecordId, Found<std::optional<PartMesh>>> parts; ///< no value: the record is damaged
 };
 
 /// Estimated size in memory, bytes.

@@ -7,6 +7,7 @@
 #include "world/records/Pose.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limen::world {
 namespace {
@@ -59,11 +60,22 @@ Facing facingOf(const dat::DegradeLevel& level) {
     return level.mode >= kFirst && level.mode <= kLast ? static_cast<Facing>(level.mode) : Facing::Fixed;
 }
 
+/// The limit of a level without kDegradeDistance: from the least to the ideal to the greatest distance as the bias goes from
+/// -1 to 0 to 1. docs/formats/geometry.md#levels-of-detail.
+double biasedLimit(const dat::DegradeLevel& level, double bias) {
+    if (bias == 1.0)
+        return level.maxDistance; // whatever the other distances are
+    const double ideal = level.idealDistance;
+    return bias >= 0.0 ? std::lerp(ideal, double{level.maxDistance}, bias)
+                       : std::lerp(ideal, double{level.minDistance}, -bias);
+}
+
 /// The distance up to which a level is drawn, metres at scale 1; 0: at none.
-double limitOf(const dat::DegradeLevel& level, double detail) {
-    if (!(level.maxDistance > 0.0f)) // also true for NaN
+double limitOf(const dat::DegradeLevel& level, const LevelLimits& limits) {
+    const double limit = biasedLimit(level, limits.bias);
+    if (!(level.maxDistance > 0.0f && limit >= 0.0)) // also true for NaN
         return 0.0;
-    return level.maxDistance * detail + kDegradeDistance;
+    return (limit > 0.0 ? limit * limits.detail : 0.0) + kDegradeDistance;
 }
 
 /// Metres: the reach of emitters whose mesh has no levels of detail.
@@ -101,7 +113,7 @@ std::vector<SurfaceList> listsOf(std::span<const dat::RecordId> surfaces, Record
 }
 
 const Model& Models::model(dat::RecordId id) {
-    return made(models_, id, cache_ != nullptr ? &cache_->models : nullptr, std::pair(id, detail_), records_,
+    return made(models_, id, cache_ != nullptr ? &cache_->models : nullptr, std::pair(id, limits_), records_,
                 [&] { return read(id, nullptr); });
 }
 
@@ -117,7 +129,7 @@ std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
         // no distance, is never drawn.
         const bool isMarker = info->levels.size() == 1 && !(level.maxDistance > 0.0f);
         const double upTo =
-            isLast && !isMarker ? std::numeric_limits<double>::infinity() : limitOf(level, detail_);
+            isLast && !isMarker ? std::numeric_limits<double>::infinity() : limitOf(level, limits_);
         if (upTo > from)
             levels.push_back({level.gfxObj, {from, upTo}, facingOf(level)});
         from = std::max(from, upTo);
@@ -128,10 +140,10 @@ std::vector<Models::Level> Models::levelsOf(dat::RecordId gfxObj) {
 LevelBand Models::particleBand(dat::RecordId gfxObj) {
     const dat::DegradeInfo* info = levelsRecord(gfxObj, records_);
     if (info == nullptr || info->levels.empty())
-        return {0.0, kFarthestParticles * detail_};
+        return {0.0, kFarthestParticles * limits_.detail};
     const std::size_t count = info->levels.size();
     const dat::DegradeLevel& level = info->levels[count > 2 ? count - 2 : 0]; // the last one ends the list
-    return {0.0, level.maxDistance * detail_};
+    return {0.0, level.maxDistance * limits_.detail};
 }
 
 void Models::addPart(Model& model, const ModelPart& posed) {

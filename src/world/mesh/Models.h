@@ -4,6 +4,7 @@
 #include "world/records/Clothing.h"
 #include "world/records/Records.h"
 
+#include <compare>
 #include <limits>
 #include <optional>
 
@@ -24,6 +25,13 @@ struct LevelBand {
 };
 /// The band of a part whose scale has this z.
 [[nodiscard]] LevelRange levelRangeOf(const LevelBand& band, double scaleZ);
+
+/// Shifts of the distances at which levels of detail change.
+struct LevelLimits {
+    double detail = 1.0; ///< factor; infinite: the nearest level at every distance
+    double bias = 1.0;   ///< Readings::levelBias
+    auto operator<=>(const LevelLimits&) const = default;
+};
 
 /// One part of a model in its pose.
 struct ModelPart {
@@ -64,10 +72,9 @@ struct ModelCache;
 /// thread.
 class Models {
 public:
-    /// `detail`: factor on the distances at which levels of detail change; infinite: the nearest level at
-    /// every distance. `cache`: null, or a cache of the same archive, which outlives the object.
-    explicit Models(Records& records, double detail = 1.0, ModelCache* cache = nullptr)
-        : records_(records), detail_(detail), cache_(cache) {}
+    /// `cache`: null, or a cache of the same archive, which outlives the object.
+    explicit Models(Records& records, const LevelLimits& limits = {}, ModelCache* cache = nullptr)
+        : records_(records), limits_(limits), cache_(cache) {}
 
     [[nodiscard]] const Model& model(dat::RecordId id);
     /// The model with the meshes of some of its parts replaced, and with the things that it holds. Cost: reads the model anew
@@ -97,7 +104,7 @@ private:
     [[nodiscard]] std::optional<PartMesh> build(dat::RecordId gfxObj);
 
     Records& records_;
-    double detail_;
+    LevelLimits limits_;
     ModelCache* cache_;
     std::unordered_map<dat::RecordId, std::shared_ptr<const Found<Model>>> models_;
     std::unordered_map<dat::RecordId, std::shared_ptr<const Found<std::optional<PartMesh>>>> parts_;

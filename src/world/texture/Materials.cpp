@@ -75,7 +75,8 @@ std::uint32_t Materials::material(dat::RecordId id, bool clamp, std::span<const 
     }
     material.surfaceClass = surfaceClassOf(*surface);
     material.flags = flagsOf(*surface, clamp);
-    material.luminosity = fraction(surface->luminosity); // kLuminous and the diffuse value have no effect
+    material.luminosity = fraction(surface->luminosity); // kLuminous has no effect
+    material.diffuse = fraction(surface->diffuse);
     material.colour = colourOf(surface->hasImage() ? 0xFFFFFFu : surface->colour.argb, alphaOf(*surface));
     if (surface->hasImage())
         material.texture =
