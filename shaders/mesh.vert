@@ -20,17 +20,18 @@ invariant gl_Position;
 layout(location = kVaryingEyeRelative) SMOOTH out vec3 vEyeRelative;
 layout(location = kVaryingLight) SMOOTH out vec3 vLight;
 layout(location = kVaryingUv) SMOOTH out vec3 vUv; // z: see paintAround
-layout(location = kVaryingInstance) flat out uint vInstance; // also has kGated
-layout(location = kVaryingSurface) flat out uint vSurface;
-layout(location = kVaryingId) flat out uint vId;
+layout(location = kVaryingNumbers, component = 0) flat out uint vInstance; // also has kGated
+layout(location = kVaryingNumbers, component = 1) flat out uint vSurface;
+layout(location = kVaryingNumbers, component = 2) flat out uint vId;
 #ifdef PIXEL_LAMPS
 layout(location = kVaryingNormal) SMOOTH out vec3 vNormal; // world axes
 #endif
 #ifdef EXACT
-layout(location = kVaryingTriangle) flat out uint vTriangle; // its first vertex in the arena
+layout(location = kVaryingNumbers, component = 3) flat out uint vTriangle; // its first vertex in the arena
 layout(location = kVaryingFacet) flat out vec4 vFacet; // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
 layout(location = kVaryingCorners) flat out vec3 vCorners[3]; // eye-relative, the same for all three vertices
 layout(location = kVaryingOutline) flat out vec3 vOutline[3]; // the same corners, by screenFromEye
+layout(location = kVaryingRests) flat out vec3 vRests[3]; // remainders of close corners, beyond their floats
 #endif
 
 #ifdef SURFACE_DIFFUSE
@@ -220,9 +221,12 @@ void main() {
     vTriangle = triangle;
     vCorners = corners;
     vOutline = vec3[3](screenFromEye(corners[0]), screenFromEye(corners[1]), screenFromEye(corners[2]));
+    vRests = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0));
     bool close = isClose(facet.w, min(min(vOutline[0].z, vOutline[1].z), vOutline[2].z));
     for (uint turn = 0u; turn < (close ? 1u : 0u); ++turn) {
-        facet.w = exactFacetHeight(exactTriangle(triangle, instance));
+        CloseTriangle exact = exactTriangle(triangle, instance);
+        facet.w = exactFacetHeight(exact);
+        vRests = vec3[3](vec3(exact.a - dvec3(corners[0])), vec3(exact.b - dvec3(corners[1])), vec3(exact.c - dvec3(corners[2])));
     }
     vFacet = facet;
     if (facet.w < (close ? -kEyeInPlaneTolerance : 0.0)) {

@@ -1,47 +1,64 @@
 // The ray's intersection with a close triangle (close.glsl), in double.
 //
-// Before this is included: outline.glsl and close.glsl.
+// Before this is included: outline.glsl and close.glsl, vCorners and vRests.
 // Metres. Edges nearer than this are computed in double. Both triangles at such an edge are close (isClose). The triangle
 // beyond a farther edge may be computed in floats, so both evaluate that edge as isOverOutline does: no ray passes between.
 const double kNearEdge = 0.9 * kNearestPlace;
 
-bool isNearEdge(dvec3 from, dvec3 to) {
+// Perpendicular to the eye and an edge; the other way round exactly the negative.
+dvec3 facetToEdge(dvec3 from, dvec3 to) {
+    precise dvec3 facet = dvec3(from.y * to.z - from.z * to.y, from.z * to.x - from.x * to.z, from.x * to.y - from.y * to.x);
+    return facet;
+}
+
+bool isNearEdge(dvec3 from, dvec3 to, dvec3 facet) {
     dvec3 along = to - from;
-    double share = clamp(-dot(from, along) / max(dot(along, along), 1.0e-30LF), 0.0LF, 1.0LF);
-    dvec3 nearest = from + along * share;
-    return dot(nearest, nearest) < kNearEdge * kNearEdge;
+    double most = kNearEdge * kNearEdge;
+    bool isBeside = dot(from, along) < 0.0LF && dot(to, along) > 0.0LF && dot(facet, facet) < most * dot(along, along);
+    return isBeside || dot(from, from) < most || dot(to, to) < most;
 }
 
-// As isOverOutline, but the side of near edges is found in double.
-bool isOverClose(CloseTriangle t, dvec3 ray, vec2 window) {
-    bool inside = false;
-    vec2 from = acrossRay(cornerOnScreen(2u), window);
-    dvec3 fromEye = t.c;
-    for (uint i = 0u; i < 3u; ++i) {
-        vec2 to = acrossRay(cornerOnScreen(i), window);
-        dvec3 toEye = i == 0u ? t.a : (i == 1u ? t.b : t.c);
-        if ((from.y < 0.0) != (to.y < 0.0)) {
-            bool rises = from.y < 0.0;
-            vec2 below = rises ? from : to;
-            vec2 above = rises ? to : from;
-            precise float side = below.x * above.y - above.x * below.y;
-            dvec3 lower = rises ? fromEye : toEye;
-            dvec3 upper = rises ? toEye : fromEye;
-            precise double exactSide = -dot(cross(lower, upper), ray);
-            inside = inside != (isNearEdge(lower, upper) ? exactSide > 0.0LF : side > 0.0);
-        }
-        from = to;
-        fromEye = toEye;
-    }
-    return inside;
+// Whether an edge crosses the ray's height to the right of the ray. `byFloats`: the answer for far edges.
+bool isRightOfRay(dvec3 from, dvec3 to, dvec3 ray, bool rises, bool byFloats) {
+    dvec3 facet = facetToEdge(from, to);
+    precise double side = ray.x * facet.x + ray.y * facet.y + ray.z * facet.z;
+    return isNearEdge(from, to, facet) ? (rises ? side < 0.0LF : side > 0.0LF) : byFloats;
 }
 
-// Depth at which the ray meets the triangle's front; negative if it does not.
-float exactDepth(CloseTriangle t, vec3 direction, vec2 window) {
+// A corner in two floats.
+struct CloseCorner {
+    vec3 at;
+    vec3 rest;
+};
+
+dvec3 exactFromCorner(CloseCorner corner) {
+    return dvec3(corner.at) + dvec3(corner.rest);
+}
+
+// Metres along the view direction to the front of a close triangle; negative if the ray does not meet it. `edges`: by
+// floats. The loop has one turn for each edge, and none if the result is not `wanted` (it is 0 then): a short loop without a
+// turn costs little where drivers execute every branch.
+float exactDepth(bool wanted, vec3 direction, TriangleEdges edges) {
     dvec3 ray = dvec3(direction);
-    dvec3 normal = cross(t.b - t.a, t.c - t.a);
-    double height = dot(normal, t.a);
-    double facing = dot(normal, ray);
-    bool isMet = facing < 0.0LF && height < 0.0LF && isOverClose(t, ray, window);
-    return isMet ? float(height / facing) : -1.0;
+    CloseCorner from = CloseCorner(vCorners[1], vRests[1]);
+    CloseCorner to = CloseCorner(vCorners[2], vRests[2]);
+    CloseCorner next = CloseCorner(vCorners[0], vRests[0]);
+    bool inside = false;
+    float depth = 0.0;
+    uint turns = wanted ? 3u : 0u;
+    for (uint turn = 0u; turn < turns; ++turn) {
+        dvec3 first = exactFromCorner(from);
+        dvec3 second = exactFromCorner(to);
+        uint edge = turn == 0u ? 2u : turn - 1u; // it ends at `second`
+        inside = inside != (edges.crosses[edge] && isRightOfRay(first, second, ray, edges.rises[edge], edges.isRight[edge]));
+        dvec3 normal = cross(second - first, exactFromCorner(next) - first);
+        double facing = dot(normal, ray);
+        double height = dot(normal, first);
+        depth = inside && facing < 0.0LF && height < 0.0LF ? float(height / facing) : -1.0;
+        CloseCorner before = from;
+        from = to;
+        to = next;
+        next = before;
+    }
+    return depth;
 }

@@ -241,27 +241,25 @@ float behindRounding(uint kind, vec3 direction, float depth) {
 }
 
 // The same of a close triangle, whose edges and depth are exact.
-Intersection intersectClose(Intersection found, Instance instance, vec3 direction) {
+Intersection intersectClose(Intersection found, TriangleEdges edges, vec3 direction) {
     bool close = isClose(vFacet.w, min(min(vOutline[0].z, vOutline[1].z), vOutline[2].z));
-    for (uint turn = 0u; turn < (close ? 1u : 0u); ++turn) {
-        float depth = exactDepth(exactTriangle(vTriangle, instance), direction, windowPosition());
-        found = Intersection(depth, depth > 0.0, false, true);
-    }
-    return found;
+    float depth = exactDepth(close, direction, edges);
+    return Intersection(close ? depth : found.depth, close ? depth > 0.0 : found.isAhead, found.isOnFringe && !close, close);
 }
 
 // Position eye-relative; sets the fragment's depth. False: the pixel's ray does not meet the triangle's front.
 bool findOnPolygon(Instance instance, out SurfacePoint point) {
     uint kind = kindOf(instance);
     vec3 direction = rayThrough(windowPosition());
-    Intersection met = intersectClose(intersectPolygon(direction), instance, direction);
+    TriangleEdges edges = triangleEdges(windowPosition());
+    Intersection met = intersectClose(intersectPolygon(direction), edges, direction);
     float facing = max(-dot(vFacet.xyz, direction), kGrazing * length(direction));
     // Derivatives along the plane: the rasteriser's may be infinite beside a thin triangle.
     point = SurfacePoint(direction * met.depth, met.depth * (device.rayRight.xyz + direction * (dot(vFacet.xyz, device.rayRight.xyz) / facing)),
                   met.depth * (device.rayUp.xyz + direction * (dot(vFacet.xyz, device.rayUp.xyz) / facing)));
     float tested = met.depth + behindNeighbours(kind == kKindShell, point.at, direction) - beforePlane(kind, direction) +
                    behindRounding(kind, direction, met.depth);
-    bool isOver = met.isAhead && (met.isExact || isOverOutline(3u, windowPosition()));
+    bool isOver = met.isAhead && (met.isExact || isOverTriangle(edges));
     gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);
 #ifndef TRANSLUCENT // layers count once where two polygons share an edge, so they have no fringe
     isOver = isOver || met.isOnFringe;

@@ -32,3 +32,32 @@ bool isOverOutline(uint count, vec2 window) {
     }
     return inside;
 }
+
+// Edges of a triangle as isOverOutline() evaluates them; edge i ends at corner i.
+struct TriangleEdges {
+    bvec3 rises;   // from below the ray to above it
+    bvec3 crosses; // the height of the ray
+    bvec3 isRight; // where it crosses it, the edge is to the right of the ray
+};
+
+TriangleEdges triangleEdges(vec2 window) {
+    TriangleEdges edges = TriangleEdges(bvec3(false), bvec3(false), bvec3(false));
+    vec2 from = acrossRay(cornerOnScreen(2u), window);
+    for (uint i = 0u; i < 3u; ++i) {
+        vec2 to = acrossRay(cornerOnScreen(i), window);
+        bool rises = from.y < 0.0;
+        vec2 below = rises ? from : to;
+        vec2 above = rises ? to : from;
+        precise float side = below.x * above.y - above.x * below.y;
+        edges.rises[i] = rises;
+        edges.crosses[i] = rises != (to.y < 0.0);
+        edges.isRight[i] = side > 0.0;
+        from = to;
+    }
+    return edges;
+}
+
+bool isOverTriangle(TriangleEdges edges) {
+    bvec3 counts = bvec3(edges.crosses.x && edges.isRight.x, edges.crosses.y && edges.isRight.y, edges.crosses.z && edges.isRight.z);
+    return counts.x != (counts.y != counts.z);
+}

@@ -2,10 +2,8 @@
 const uint kVaryingEyeRelative = 0u; // mesh.vert
 const uint kVaryingLight = 1u;
 const uint kVaryingUv = 2u;
-const uint kVaryingInstance = 3u;
-const uint kVaryingSurface = 4u;
-const uint kVaryingId = 5u;
-const uint kVaryingTriangle = 6u;
+const uint kVaryingNumbers = 3u; // four numbers, one in each component
+const uint kVaryingRests = 4u;   // an array: three locations
 const uint kVaryingFacet = 7u;
 const uint kVaryingCorners = 8u;  // an array: three locations
 const uint kVaryingOutline = 11u; // an array: three locations
