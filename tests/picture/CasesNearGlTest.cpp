@@ -77,6 +77,34 @@ TEST_P(CasesNear, case45_aHatchLeadsDownIntoARoomWithinTheRoomBelow) {
     EXPECT_EQ(pixelsOfRecord(pictures, up, world.id(room)), 0u);
 }
 
+/// A turn and a half around a vertical line, back to where another room is. Each opening has the line for an edge.
+struct Turn {
+    TestWorld world;
+    // This order puts the last three rooms into one zone.
+    TestWorld::Cell fifth = world.addBox({79, 79, -12}, {85, 85, -9}, "red"),
+                    fourth = world.addBox({79, 85, -12}, {85, 90, -9}, "green"),
+                    third = world.addBox({85, 85, -12}, {90, 90, -9}, "blue"),
+                    second = world.addBox({85, 79, -12}, {90, 85, -9}, "brown"),
+                    first = world.addBox({80, 80, -12}, {85, 85, -9}, "grey");
+
+    Turn() {
+        world.link(first, rectangle({85, 83, -12}, {85, 85, -10}), second);
+        world.link(second, rectangle({85, 85, -12}, {87, 85, -10}), third);
+        world.link(third, rectangle({85, 85, -12}, {85, 87, -10}), fourth);
+        world.link(fourth, rectangle({83, 85, -12}, {85, 85, -10}), fifth);
+    }
+};
+
+TEST_P(CasesNear, case45_aRoomTouchesAnOpeningOfItsZoneFromBefore) {
+    Turn turn;
+    PictureWorld pictures(turn.world, options());
+    const world::SpaceIndex first = pictures.space(turn.world.id(turn.first));
+    // Rays that graze the common edge pass the east wall of the fifth room, which overlaps the first.
+    for (const double pitch : {0.0, -30.0, -60.0})
+        for (const double aside : {0.006, 0.012, 0.03})
+            pictures.expectClean(pictures.look({85 - aside * 1.33, 85 - aside, -10.5}, 45, pitch, first));
+}
+
 /// Two rooms whose walls are `gap` apart: the second has reveals from its wall to the opening in the first one's.
 struct ThinRooms {
     TestWorld world;

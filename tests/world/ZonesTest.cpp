@@ -42,6 +42,24 @@ TEST(Zones, noCellIsBehindAnOpeningOfItsZoneThatLeadsElsewhere) {
     EXPECT_NE(world.spaces[1].zone, world.spaces[2].zone);
 }
 
+TEST(Zones, noOverlappingCellTouchesAnOpeningOfItsZoneFromBefore) {
+    // Rooms around a vertical line, the first in the place of the last. Picture: CasesNear.case45_aRoomTouches...
+    TestWorld source;
+    const auto last = source.addBox({-6, -6, 0}, {0, 0, 3}), fourth = source.addBox({-6, 0, 0}, {0, 5, 3}),
+               third = source.addBox({0, 0, 0}, {5, 5, 3}), second = source.addBox({0, -6, 0}, {5, 0, 3});
+    source.link(second, rectangle({0, 0, 0}, {2, 0, 2}), third);
+    source.link(third, rectangle({0, 0, 0}, {0, 2, 2}), fourth);
+    source.link(fourth, rectangle({-2, 0, 0}, {0, 0, 2}), last);
+    const World apart = test::loadTestWorld(source);
+    for (int space = 2; space <= 4; ++space)
+        EXPECT_EQ(apart.spaces[space].zone, apart.spaces[1].zone) << "no cell overlaps another";
+    const auto first = source.addBox({-5, -5, 0}, {0, 0, 3});
+    source.link(first, rectangle({0, -2, 0}, {0, 0, 2}), second);
+    const World world = test::loadTestWorld(source);
+    EXPECT_NE(world.spaces[3].zone, world.spaces[1].zone)
+        << "its opening to the second has a wall of the last at its edge";
+}
+
 TEST(Zones, aCellThatIsNotClosedIsAloneAndReported) {
     TestWorld source;
     const auto a = source.addBox({0, 0, 0}, {4, 4, 3}), b = source.addBox({4, 0, 0}, {8, 4, 3});

@@ -3,6 +3,7 @@
 #include "core/Assert.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace limen::world {
 namespace {
@@ -44,9 +45,9 @@ bool isNear(const PortalContent& portal, const Aabb& bounds) {
            glm::all(glm::greaterThanEqual(box.max + kInPlaneTolerance, bounds.min));
 }
 
-/// True if walls of a cell that are in a portal's plane overlap the portal by more than kOverlapTolerance. May be true for
-/// walls that wind around it.
-bool hasWallIn(const PortalContent& portal, const CellShape& shape) {
+/// True if walls of a cell that are in a portal's plane overlap the portal by more than `least`, in metres; negative: are
+/// nearer to it than that. May be true for walls that wind around it.
+bool hasWallIn(const PortalContent& portal, const CellShape& shape, double least) {
     std::vector<Vec3> wall;
     for (const Vec3& p : shape.points)
         if (std::abs(portal.plane.signedDistance(p)) <= kInPlaneTolerance)
@@ -57,9 +58,9 @@ bool hasWallIn(const PortalContent& portal, const CellShape& shape) {
         if (length < 0.5)
             return false; // not in the plane
         const Interval i = project(wall, across / length), j = project(portal.points, across / length);
-        return i.high - j.low <= kOverlapTolerance || j.high - i.low <= kOverlapTolerance;
+        return i.high - j.low <= least || j.high - i.low <= least;
     };
-    if (wall.size() < 3)
+    if (wall.empty())
         return false;
     for (std::size_t i = 0; i < portal.points.size(); ++i) {
         const Vec3 edge = portal.points[i + 1 == portal.points.size() ? 0 : i + 1] - portal.points[i];
@@ -69,10 +70,16 @@ bool hasWallIn(const PortalContent& portal, const CellShape& shape) {
     return std::none_of(shape.edges.begin(), shape.edges.end(), partedAlong);
 }
 
-/// The cells of a zone by grid cell, so that only near cells are compared.
-class MemberGrid {
+/// True if part of a cell is on the side of a portal's plane that the portal's own space is not on.
+bool reachesBefore(const PortalContent& portal, const CellShape& shape) {
+    return std::any_of(shape.points.begin(), shape.points.end(),
+                       [&](const Vec3& p) { return portal.plane.signedDistance(p) < -kInPlaneTolerance; });
+}
+
+/// Cells by grid cell, so that only near cells are compared.
+class CellGrid {
 public:
-    explicit MemberGrid(const BlockContent& block) : block_(block) {}
+    explicit CellGrid(const BlockContent& block) : block_(block) {}
 
     void add(std::uint32_t cell) {
         if (!forEachKey(block_.cells[cell].shape.bounds, [&](std::uint64_t key) {
@@ -83,7 +90,7 @@ public:
         all_.push_back(cell);
     }
 
-    /// True if the test holds for all members whose bounds can touch the box.
+    /// True if the test holds for all cells whose bounds can touch the box.
     template <class Test>
     [[nodiscard]] bool allNear(const Aabb& box, Test test) const {
         bool all = true;
@@ -135,8 +142,11 @@ private:
 class ZoneGrower {
 public:
     explicit ZoneGrower(const BlockContent& block)
-        : block_(block), zoneOf_(block.cells.size(), kNone), incoming_(block.cells.size()) {
+        : block_(block), all_(block), overlaps_(block.cells.size()), zoneOf_(block.cells.size(), kNone),
+          incoming_(block.cells.size()) {
         LIMEN_ASSERT(block.firstOutdoorPortal <= block.portals.size(), "the portals of cells come first");
+        for (std::uint32_t cell = 0; cell < block.cells.size(); ++cell)
+            all_.add(cell);
         for (std::uint32_t p = 0; p < block.firstOutdoorPortal; ++p) {
             const PortalContent& portal = block.portals[p];
             if (portal.destination < kOutdoorSpace && !joins(portal))
@@ -163,7 +173,7 @@ private:
         zoneOf_[first] = zone;
         if (!block_.cells[first].shape.closed)
             return;
-        MemberGrid members(block_);
+        CellGrid members(block_);
         members.add(first);
         for (std::size_t i = 0; i < zones_[zone].size(); ++i) {
             const CellContent& cell = block_.cells[zones_[zone][i]];
@@ -180,7 +190,7 @@ private:
         }
     }
 
-    [[nodiscard]] bool mayJoin(std::uint32_t cell, std::uint32_t zone, const MemberGrid& members) const {
+    [[nodiscard]] bool mayJoin(std::uint32_t cell, std::uint32_t zone, const CellGrid& members) {
         const CellContent& content = block_.cells[cell];
         if (!content.shape.closed)
             return false;
@@ -192,25 +202,43 @@ private:
         const bool entered = std::any_of(incoming_[cell].begin(), incoming_[cell].end(),
                                          [&](std::uint32_t from) { return zoneOf_[from] == zone; });
         return !entered && members.allNear(content.shape.bounds, [&](std::uint32_t member) {
-            return areDisjoint(content.shape, block_.cells[member].shape) && !isBehind(cell, member) &&
-                   !isBehind(member, cell);
+            return areDisjoint(content.shape, block_.cells[member].shape) && !isMetAtOpenings(cell, member) &&
+                   !isMetAtOpenings(member, cell);
         });
     }
 
-    /// True if a cell is right behind an opening of another cell that does not lead to it. Its walls in the opening's plane
-    /// would show to rays that come in by the opening, because surfaces there are met from both sides.
-    [[nodiscard]] bool isBehind(std::uint32_t cell, std::uint32_t other) const {
+    /// True if rays that come into another cell by an opening could meet walls of this cell, because surfaces in an opening's
+    /// plane are met from both sides. This cell is right behind an opening that does not lead to it, or touches
+    /// the opening from before; there, rays from a third cell in the same place pass it.
+    [[nodiscard]] bool isMetAtOpenings(std::uint32_t cell, std::uint32_t other) {
         const CellContent& from = block_.cells[other];
         const CellShape& shape = block_.cells[cell].shape;
         for (std::uint32_t p = from.firstPortal; p < from.firstPortal + from.portalCount; ++p) {
             const PortalContent& portal = block_.portals[p];
-            if (portal.destination != cell && isNear(portal, shape.bounds) && hasWallIn(portal, shape))
+            if (portal.destination == cell || !isNear(portal, shape.bounds))
+                continue;
+            if (hasWallIn(portal, shape, kOverlapTolerance) ||
+                (hasWallIn(portal, shape, -kInPlaneTolerance) && reachesBefore(portal, shape) &&
+                 overlapsAnother(cell)))
                 return true;
         }
         return false;
     }
 
+    /// True if a cell overlaps any other cell of the block.
+    [[nodiscard]] bool overlapsAnother(std::uint32_t cell) {
+        if (!overlaps_[cell]) {
+            const CellShape& shape = block_.cells[cell].shape;
+            overlaps_[cell] = !all_.allNear(shape.bounds, [&](std::uint32_t other) {
+                return other == cell || areDisjoint(shape, block_.cells[other].shape);
+            });
+        }
+        return *overlaps_[cell];
+    }
+
     const BlockContent& block_;
+    CellGrid all_;
+    std::vector<std::optional<bool>> overlaps_; ///< by cell: as overlapsAnother
     std::vector<std::uint32_t> zoneOf_;
     std::vector<std::vector<std::uint32_t>>
         incoming_; ///< by cell: cells with a portal into it that does not join
