@@ -25,6 +25,10 @@ EyeContact::EyeContact(const world::World& world, const PolygonTable& polygons, 
     polygons.trianglesAround(root, eye, kEyeInPlaneTolerance, touched);
     for (const Triangle& triangle : touched)
         inward_.push_back(planeOf(triangle.corners).n);
+    polygons.wallsAround(root, eye, kInPlaneTolerance, touched);
+    for (const Triangle& triangle : touched)
+        if (const Plane plane = planeOf(triangle.corners); plane.signedDistance(eye) < 0.0)
+            inward_.push_back(plane.n);
     const world::Space& space = world.spaces[root];
     for (std::uint32_t p = space.firstPortal; p < space.firstPortal + space.portalCount; ++p) {
         const world::Portal& portal = world.portals[p];

@@ -8,9 +8,11 @@ namespace limen::check {
 /// of an opening or in a wall's plane is judged only for rays into that space.
 ///
 /// An eye touches a surface of its space, or an edge of one of its openings, within kEyeInPlaneTolerance. Being
-/// in the plane of a distant wall is no contact. A ray leads into the space if it leaves every touched plane
-/// on the side of the space: the front of a surface, the inner side of an opening. Without contact every ray
-/// is judged, also inside an opening.
+/// in the plane of a distant wall is no contact. An eye behind a wall of its cell, by up to kInPlaneTolerance,
+/// touches it, too: it is out of its cell, and no space has rays away from the wall. A wall that is not flat has
+/// such places in its plane. A ray leads into the space if it leaves every touched plane on the side of the
+/// space: the front of a surface, the inner side of an opening. Without contact every ray is judged, also inside
+/// an opening.
 class EyeContact {
 public:
     EyeContact(const world::World& world, const PolygonTable& polygons, world::SpaceIndex root,

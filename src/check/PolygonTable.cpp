@@ -87,6 +87,13 @@ void PolygonTable::trianglesAround(world::SpaceIndex index, const Vec3& point, d
         addTrianglesAround(dynamics_.instances[i], point, reach, out);
 }
 
+void PolygonTable::wallsAround(world::SpaceIndex space, const Vec3& point, double reach,
+                               std::vector<Triangle>& out) const {
+    out.clear();
+    if (const world::InstanceIndex shell = world_.spaces[space].shell; shell != world::kNone)
+        addTrianglesAround(world_.instances[shell], point, reach, out);
+}
+
 void PolygonTable::polygonsAlong(const Vec3& eye, const Vec3& direction,
                                  std::vector<std::uint32_t>& out) const {
     out.clear();

@@ -27,6 +27,10 @@ public:
     void trianglesAround(world::SpaceIndex space, const Vec3& point, double reach,
                          std::vector<Triangle>& out) const;
 
+    /// The opaque and cut-out triangles of a cell's own walls within `reach` metres of a point. Overwrites `out`.
+    void wallsAround(world::SpaceIndex space, const Vec3& point, double reach,
+                     std::vector<Triangle>& out) const;
+
     /// The ids of all polygons of instances whose bounding sphere, grown by a pixel, a ray passes.
     /// `direction` may have any length. Overwrites `out`.
     void polygonsAlong(const Vec3& eye, const Vec3& direction, std::vector<std::uint32_t>& out) const;

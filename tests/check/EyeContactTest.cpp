@@ -29,6 +29,18 @@ TEST(EyeContact, anEyeOnAWallIsJudgedOnlyIntoTheRoom) {
     EXPECT_FALSE(contact.leadsIntoTheRoot({0, 1, 0})) << "along the wall";
 }
 
+TEST(EyeContact, anEyeBehindAWallOfItsCellIsJudgedOnlyIntoTheRoom) {
+    const Contacts c;
+    const world::SpaceIndex front = c.house.space(c.house.front);
+    const EyeContact contact = c.at({89.9999, 83, 11}, front);
+    EXPECT_TRUE(contact.leadsIntoTheRoot({1, 0.5, 0}));
+    EXPECT_FALSE(contact.leadsIntoTheRoot({-1, 0.5, 0}));
+    EXPECT_TRUE(c.at({90.0001, 83, 11}, front).touchesNothing()) << "before it";
+    EXPECT_TRUE(c.at({89.999, 83, 11}, front).touchesNothing()) << "1 mm behind it";
+    EXPECT_TRUE(c.at({90.0001, 83, 11}, world::kOutside).touchesNothing())
+        << "an exterior is no wall of a cell";
+}
+
 TEST(EyeContact, theSameWallSeenFromOutsideLeadsTheOtherWay) {
     const Contacts c;
     const EyeContact contact = c.at({90, 83, 11}, world::kOutside);

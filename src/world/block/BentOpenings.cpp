@@ -52,17 +52,20 @@ class Splitting {
 public:
     explicit Splitting(BlockContent& block) : block_(block), parts_(block.portals.size()) {}
 
+    /// A portal without a way back.
+    void split(std::uint32_t portal) {
+        const PortalContent& whole = block_.portals[portal];
+        for (const auto& [i, j, k] : trianglesOf(whole))
+            parts_[portal].push_back(partOf(whole, {i, j, k}));
+    }
+
     /// Both portals of a pair get parts of equal numbers.
     void split(std::uint32_t a, std::uint32_t b) {
         const PortalContent &front = block_.portals[a], &back = block_.portals[b];
         const std::vector<std::uint32_t> same = sameVertices(front, back);
         if (same.empty())
             return;
-        std::vector<TriangleCorners> triangles;
-        triangulate(front.points, triangles);
-        if (triangles.size() < 2 || triangles.size() > std::numeric_limits<std::uint16_t>::max())
-            return;
-        for (const auto& [i, j, k] : triangles) {
+        for (const auto& [i, j, k] : trianglesOf(front)) {
             parts_[a].push_back(partOf(front, {i, j, k}));
             parts_[b].push_back(partOf(back, {same[k], same[j], same[i]}));
         }
@@ -87,6 +90,15 @@ public:
     }
 
 private:
+    /// None: the portal stays whole.
+    [[nodiscard]] static std::vector<TriangleCorners> trianglesOf(const PortalContent& portal) {
+        std::vector<TriangleCorners> triangles;
+        triangulate(portal.points, triangles);
+        if (triangles.size() < 2 || triangles.size() > std::numeric_limits<std::uint16_t>::max())
+            triangles.clear();
+        return triangles;
+    }
+
     void replace(PortalContent& portal, std::vector<PortalContent>& parts,
                  const std::vector<std::uint32_t>& first, std::vector<PortalContent>& portals) {
         const std::uint32_t way = portal.reciprocal == kNone ? kNone : first[portal.reciprocal];
@@ -96,7 +108,7 @@ private:
             return;
         }
         for (std::uint32_t i = 0; i < parts.size(); ++i) {
-            parts[i].reciprocal = way + i;
+            parts[i].reciprocal = way == kNone ? kNone : way + i;
             parts[i].part = static_cast<std::uint16_t>(i);
             parts[i].partCount = static_cast<std::uint16_t>(parts.size());
             parts[i].whole = static_cast<std::uint32_t>(block_.wholes.size());
@@ -116,11 +128,14 @@ void splitBentOpenings(BlockContent& block) {
     Splitting splitting(block);
     for (std::uint32_t p = 0; p < block.portals.size(); ++p) {
         const PortalContent& portal = block.portals[p];
-        if (portal.reciprocal == kNone || portal.reciprocal < p || !portal.exact || portal.points.size() < 4)
+        if (portal.reciprocal < p || !portal.exact || portal.walled || portal.points.size() < 4)
             continue;
-        LIMEN_ASSERT(block.portals[portal.reciprocal].reciprocal == p,
+        const bool isOneWay = portal.reciprocal == kNone;
+        LIMEN_ASSERT(isOneWay || block.portals[portal.reciprocal].reciprocal == p,
                      "the way back of a way back is the portal itself");
-        if (isBent(portal) || isBent(block.portals[portal.reciprocal]))
+        if (isOneWay && isBent(portal))
+            splitting.split(p);
+        else if (!isOneWay && (isBent(portal) || isBent(block.portals[portal.reciprocal])))
             splitting.split(p, portal.reciprocal);
     }
     splitting.finish();
