@@ -206,5 +206,23 @@ TEST_P(CasesNear, case49_anEyeAtAnOpeningThatIsNotFlat) {
     }
 }
 
+TEST_P(CasesNear, case49_anEyeAtAnOpeningOfOneWayThatIsNotFlat) {
+    TestWorld::LinkOptions walled;
+    walled.surfaceInB = "red";
+    for (const double off : {-0.003, 0.003}) {
+        TestWorld world;
+        const BentRooms rooms(world, 84, off, {80, 80, -12}, "brown", "blue", walled);
+        PictureWorld pictures(world, options());
+        const world::SpaceIndex space = pictures.space(world.id(rooms.a));
+        for (const double y : {80.7, 82.02, 83.3}) {
+            for (const double before : {5e-5, 3e-4, 8e-4, 2e-3}) {
+                const Vec3 eye(84 - before + std::min(off, 0.0), y, -10.7);
+                for (const double yaw : {2.0, 88.0, 179.0, 271.0})
+                    pictures.expectClean(pictures.look(eye, yaw, 3, space));
+            }
+        }
+    }
+}
+
 } // namespace
 } // namespace limen::test

@@ -11,7 +11,8 @@ namespace limen::test {
 struct BentRooms {
     /// `middle`: x of the opening, metres. `off`: metres by which its corner at (y = 4, z = high) is moved in x.
     BentRooms(TestWorld& source, double middle, double off, const Vec3& low = {0, 0, 0},
-              const char* surfaceOfA = "grey", const char* surfaceOfB = "grey")
+              const char* surfaceOfA = "grey", const char* surfaceOfB = "grey",
+              const TestWorld::LinkOptions& options = {})
         : opening{{middle, low.y, low.z},
                   {middle, low.y + 4, low.z},
                   {middle + off, low.y + 4, low.z + 3},
@@ -26,7 +27,7 @@ struct BentRooms {
         };
         a = room({middle - 4, low.y, low.z}, flat, kEast, surfaceOfA);
         b = room({middle, low.y, low.z}, {middle + 4, low.y + 4, low.z + 3}, kWest, surfaceOfB);
-        source.link(a, opening, b);
+        source.link(a, opening, b, options);
     }
 
     std::vector<Vec3> opening;

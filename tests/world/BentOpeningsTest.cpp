@@ -70,6 +70,24 @@ TEST(BentOpenings, stayWholeIfFloatsAreNoMoreAccurate) {
     EXPECT_TRUE(world.wholes.empty());
 }
 
+TEST(BentOpenings, withAWallOnTheFarSideAreTrianglesOfOneWay) {
+    TestWorld source;
+    TestWorld::LinkOptions options;
+    options.surfaceInB = "grey";
+    const test::BentRooms rooms(source, 4.0, 0.003, {0, 0, 0}, "grey", "grey", options);
+    const World world = test::loadTestWorld(source);
+    ASSERT_EQ(world.spaces[1].portalCount, 2u);
+    for (std::uint32_t i = 0; i < 2; ++i) {
+        const Portal& part = world.portals[world.spaces[1].firstPortal + i];
+        EXPECT_LT(farthestFromPlane(world, part), 1e-9);
+        EXPECT_EQ(part.part, i);
+        EXPECT_EQ(part.reciprocal, kNone);
+        EXPECT_EQ(part.destination, 2u);
+    }
+    ASSERT_EQ(world.spaces[2].portalCount, 1u) << "no ray leaves by the wall";
+    EXPECT_TRUE(world.portals[world.spaces[2].firstPortal].walled);
+}
+
 TEST(BentOpenings, ofInexactPairsStayWhole) {
     DoorRooms rooms;
     TestWorld::LinkOptions options;
