@@ -2,6 +2,8 @@
 #include "support/LoadTestWorld.h"
 #include "world/OpeningParts.h"
 
+#include <gmock/gmock.h>
+
 namespace limen::world {
 namespace {
 
@@ -107,6 +109,21 @@ TEST(BentOpenings, includeThoseWithAVertexBesideAnEdge) {
         EXPECT_EQ(first.partCount > 1, isBent);
         EXPECT_EQ(openingOf(world, world.spaces[1].firstPortal).cornerCount, 4u);
     }
+}
+
+/// One side has a corner 2 mm beyond another, on the extension of an edge: stitching leaves it out.
+TEST(BentOpenings, withASpikeOnOneSideAreExactPairs) {
+    DoorRooms rooms;
+    TestWorld::LinkOptions options;
+    options.polygonInB = bentDoor(0.001);
+    const Vec3 along = glm::normalize(options.polygonInB[2] - options.polygonInB[1]);
+    std::vector<Vec3> spiked = options.polygonInB;
+    spiked.insert(spiked.begin() + 2, spiked[2] + along * 0.002);
+    rooms.source.link(rooms.a, spiked, rooms.b, options);
+    const World world = test::loadTestWorld(rooms.source);
+    EXPECT_THAT(test::findingsOf(world), testing::Not(testing::HasSubstr("another polygon")));
+    EXPECT_EQ(world.spaces[1].portalCount, 2u);
+    EXPECT_EQ(openingOf(world, world.spaces[1].firstPortal).cornerCount, 4u);
 }
 
 TEST(BentOpenings, leaveIndicesOfOtherPortalsRight) {

@@ -89,8 +89,11 @@ const char* shapePortal(PortalContent& portal, std::uint32_t handle, const CellG
         return "has no area";
     const StitchLoop& loop = geometry.loops(handle).front();
     std::vector<Vec3> corners, points;
-    for (const std::uint32_t vertex : geometry.corners(handle))
-        corners.push_back(geometry.vertices()[vertex]);
+    for (const std::uint32_t vertex : geometry.corners(handle)) {
+        const auto isHere = [&](const StitchCorner& corner) { return corner.vertex == vertex; };
+        if (std::any_of(loop.begin(), loop.end(), isHere)) // stitching leaves out the tip of a spike
+            corners.push_back(geometry.vertices()[vertex]);
+    }
     for (const StitchCorner& corner : loop)
         points.push_back(geometry.vertices()[corner.vertex]);
     const Plane plane = planeOf(corners);
