@@ -69,11 +69,16 @@ void measure(Opening& opening, bool isFlagged, const std::vector<std::vector<Vec
 
 bool Opening::isDoor() const {
     return std::abs(inward.z) < kUpright && inward != Vec3(0.0) && height >= kBodyHeight &&
-           width >= kBodyWidth;
+           width >= kBodyWidth &&
+           containsProjection(outline, glm::normalize(newellNormal(outline)), eye(), 0.0);
 }
 
 Vec3 Opening::eye() const {
-    return {middle.x, middle.y, sill + std::min(kStandingEye, height - kHeadroom)};
+    const Vec3 at(middle.x, middle.y, sill + std::min(kStandingEye, height - kHeadroom));
+    const Vec3 level(inward.x, inward.y, 0.0);
+    const double flat = glm::dot(level, level);
+    return flat > 0.0 ? at - level * (glm::dot(at - middle, inward) / flat)
+                      : at; // in the opening's plane, which may lean
 }
 
 Vec3 originOf(dat::BlockCoord block) {
@@ -189,7 +194,8 @@ std::optional<CellShape> Shapes::readCell(dat::RecordId id) {
         if (polygon.frontSlot < 0)
             std::reverse(corners.begin(), corners.end());
         addFan(corners, triangles);
-        cell.walls.push_back(std::move(corners));
+        if (!polygon.isPortal) // its picture may face the next cell
+            cell.walls.push_back(std::move(corners));
     }
     cell.solids.add(std::move(triangles));
     for (const dat::CellPortal& portal : record->portals) {

@@ -27,15 +27,16 @@ struct Opening {
 
     /// True if an upright body fits through: a door, and no window or shaft.
     [[nodiscard]] bool isDoor() const;
-    /// The eye of a body that stands on the sill.
+    /// The eye of a body that stands on the sill, in the opening's plane.
     [[nodiscard]] Vec3 eye() const;
 };
 
 struct CellShape {
     dat::RecordId id = 0;
-    std::vector<std::vector<Vec3>> walls; ///< drawn polygons, counter-clockwise seen from inside
-    std::vector<Opening> openings;        ///< by portal of the record
-    Obstacles solids;                     ///< its walls and its static objects
+    std::vector<std::vector<Vec3>>
+        walls; ///< drawn polygons without those of portals, counter-clockwise seen from inside
+    std::vector<Opening> openings; ///< by portal of the record
+    Obstacles solids;              ///< its walls and its static objects
 };
 
 struct BuildingShape {
