@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kSearchVersion = 2;    // raise it when the search finds other places
+constexpr int kSearchVersion = 3;    // raise it when the search finds other places
 constexpr std::size_t kMostKept = 8; // results in the cache
 
 /// Header fields, length and time of the files: other files, or the same files changed, have another key.
