@@ -20,14 +20,14 @@ invariant gl_Position;
 layout(location = kVaryingEyeRelative) SMOOTH out vec3 vEyeRelative;
 layout(location = kVaryingLight) SMOOTH out vec3 vLight;
 layout(location = kVaryingUv) SMOOTH out vec3 vUv; // z: see paintAround
-layout(location = kVaryingNumbers, component = 0) flat out uint vInstance; // also has kGated
-layout(location = kVaryingNumbers, component = 1) flat out uint vSurface;
-layout(location = kVaryingNumbers, component = 2) flat out uint vId;
+layout(location = kVaryingNumbers, component = kPartInstance) flat out uint vInstance; // also has kGated
+layout(location = kVaryingNumbers, component = kPartSurface) flat out uint vSurface;
+layout(location = kVaryingNumbers, component = kPartId) flat out uint vId;
 #ifdef PIXEL_LAMPS
 layout(location = kVaryingNormal) SMOOTH out vec3 vNormal; // world axes
 #endif
 #ifdef EXACT
-layout(location = kVaryingNumbers, component = 3) flat out uint vTriangle; // its first vertex in the arena
+layout(location = kVaryingNumbers, component = kPartTriangle) flat out uint vTriangle; // its first vertex in the arena
 layout(location = kVaryingFacet) flat out vec4 vFacet; // its plane, eye-relative: dot(vFacet.xyz, p) = vFacet.w
 layout(location = kVaryingCorners) flat out vec3 vCorners[3]; // eye-relative, the same for all three vertices
 layout(location = kVaryingOutline) flat out vec3 vOutline[3]; // the same corners, by screenFromEye

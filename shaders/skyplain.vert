@@ -1,5 +1,5 @@
 // Triangles over the whole screen, or over rectangles, behind everything. Out: view direction in world axes, unnormalised.
-// CLIPPED: each triangle is clipped by the clip set with its number.
+// CLIPPED: each triangle is clipped by the clip set with its number. VOIDS: for voids.frag, before the sky.
 #include "buffers.glsl"
 #include "clip.glsl"
 
@@ -21,6 +21,10 @@ void main() {
     vec2 corner = cornerOf(uint(gl_VertexID));
     vec4 nearPoint = inverse(frame.clipFromEye) * vec4(corner, 1.0, 1.0);
     vDirection = nearPoint.xyz / nearPoint.w;
+#ifdef VOIDS
+    gl_Position = vec4(corner, kVoidDepth, 1.0);
+#else
     gl_Position = vec4(corner, kSkyDepth, 1.0);
+#endif
     clipBy(uint(gl_VertexID) / 3u);
 }

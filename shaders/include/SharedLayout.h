@@ -110,9 +110,11 @@ LIMEN_CONST kPartsOfAPixel = 4096u;
 
 // Stored depth is near plane / view depth. A fragment just outside its polygon's outline, by no more than rounding,
 // fills only pixels that nothing else covers: its depth is multiplied by 2^-kFringeExponent. The sky, at
-// 2^-kSkyExponent (ten million kilometres), covers such fragments and nothing else.
+// 2^-kSkyExponent (ten million kilometres), covers such fragments and nothing else. A void of the fast way has
+// 2^-kVoidExponent, so that no sky covers it.
 LIMEN_CONST kFringeExponent = 60u;
 LIMEN_CONST kSkyExponent = 59u;
+LIMEN_CONST kVoidExponent = 58u;
 
 // Level-of-detail ranges (world/LevelRange.h): steps per metre, and the limits to which distances from the eye and from
 // the block's origin are clamped, in steps.

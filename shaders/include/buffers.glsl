@@ -42,6 +42,7 @@ layout(binding = kUnitTerrain) uniform usamplerBuffer terrainTexels;
 #endif
 
 const float kSkyDepth = uintBitsToFloat((127u - kSkyExponent) << 23); // 2^-kSkyExponent
+const float kVoidDepth = uintBitsToFloat((127u - kVoidExponent) << 23); // 2^-kVoidExponent
 
 uvec4 ringTexel(uint texel) {
     return texelFetch(ringTexels, int(texel));

@@ -6,14 +6,14 @@
 layout(location = kVaryingEyeRelative) SMOOTH in vec3 vEyeRelative;
 layout(location = kVaryingLight) SMOOTH in vec3 vLight;
 layout(location = kVaryingUv) SMOOTH in vec3 vUv; // z: see paintedHere
-layout(location = kVaryingNumbers, component = 0) flat in uint vInstance; // also has kGated
-layout(location = kVaryingNumbers, component = 1) flat in uint vSurface;
-layout(location = kVaryingNumbers, component = 2) flat in uint vId;
+layout(location = kVaryingNumbers, component = kPartInstance) flat in uint vInstance; // also has kGated
+layout(location = kVaryingNumbers, component = kPartSurface) flat in uint vSurface;
+layout(location = kVaryingNumbers, component = kPartId) flat in uint vId;
 #ifdef PIXEL_LAMPS
 layout(location = kVaryingNormal) SMOOTH in vec3 vNormal;
 #endif
 #ifdef EXACT
-layout(location = kVaryingNumbers, component = 3) flat in uint vTriangle;
+layout(location = kVaryingNumbers, component = kPartTriangle) flat in uint vTriangle;
 layout(location = kVaryingFacet) flat in vec4 vFacet;
 layout(location = kVaryingCorners) flat in vec3 vCorners[3];
 layout(location = kVaryingOutline) flat in vec3 vOutline[3];

@@ -2,7 +2,11 @@
 const uint kVaryingEyeRelative = 0u; // mesh.vert
 const uint kVaryingLight = 1u;
 const uint kVaryingUv = 2u;
-const uint kVaryingNumbers = 3u; // four numbers, one in each component
+const uint kVaryingNumbers = 3u; // four, one in each component:
+const uint kPartInstance = 0u;
+const uint kPartSurface = 1u;
+const uint kPartId = 2u;
+const uint kPartTriangle = 3u;
 const uint kVaryingRests = 4u;   // an array: three locations
 const uint kVaryingFacet = 7u;
 const uint kVaryingCorners = 8u;  // an array: three locations

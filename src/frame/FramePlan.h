@@ -27,7 +27,7 @@ enum class Program : std::uint8_t {
     Opaque,     ///< meshes, no discard except the gate's
     CutOut,     ///< meshes, alpha tested
     Terrain,    ///< landblocks
-    SkyPlain,   ///< the plain sky and its id, in the whole picture or in rectangles
+    SkyPlain,   ///< the plain sky and its id, and the voids around it
     SkyObjects, ///< sky meshes; baseInstance indexes skyInstances
     Blended,    ///< meshes of the transparent stage
     Stamp,      ///< depth of openings at the far plane, in front of everything; vertices as Ownership
@@ -58,10 +58,11 @@ struct PieceRun {
 struct Batch {
     Program program = Program::Opaque;
     bool gated = false; ///< the program variant with the ownership test, which some of the runs may take
-    /// Runs; of openings: vertices; of SkyPlain: rectangles, or the first clip set and 0.
+    /// Runs; of openings: vertices; of SkyPlain: rectangles that contain all voids (0: anywhere), or the first clip set
+    /// and 0.
     std::uint32_t first = 0, count = 0;
-    /// Pieces of all its runs. For openings: 1 if they draw anything. For SkyPlain without rectangles: triangles, one for
-    /// each clip set.
+    /// Pieces of all its runs. For openings: 1 if they draw anything. For SkyPlain: 0 if no ray ends outside, else
+    /// triangles, one for each clip set.
     std::uint32_t draws = 0;
 };
 

@@ -45,9 +45,10 @@ struct FrameView {
     Rules rules;
     Gate gate = Gate::Ownership;
     /// Instances of the root's zone that no opening can hide are drawn without the ownership test. The picture
-    /// is the same, but for surfaces in the plane of a shut opening. The plain sky beside all openings is drawn without it, too.
+    /// is the same, but for surfaces in the plane of a shut opening.
     bool fewTests = false;
-    /// The plain sky is drawn in every frame with several visits, because its draw fills voids (skyplain.frag).
+    /// Every frame with several visits has a batch of the plain sky, whose first draw fills voids (voids.frag). The
+    /// objects of the sky then take no ownership test.
     bool fillsVoids = false;
     world::Look look = world::Look::Retail;
     bool details = true;       ///< draw the detail pictures that the look has

@@ -3,11 +3,11 @@
 #include "core/Assert.h"
 #include "core/Prefetch.h"
 #include "frame/Highlights.h"
+#include "frame/OpeningCells.h"
 #include "frame/Ownership.h"
 #include "frame/PlanBatches.h"
 #include "frame/PlanDynamics.h"
 #include "frame/PlanSky.h"
-#include "frame/SkyParts.h"
 #include "frame/gates/GatePlanner.h"
 
 #include <algorithm>
@@ -195,27 +195,29 @@ void Planner::planSolid(bool several, FramePlan& plan) {
 
 void Planner::planPlainSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
     const bool several = set.visits.size() > 1;
-    if (!several || !frame.fewTests || frame.view.root != world::kOutside) {
-        plan.batches.push_back({Program::SkyPlain, several, 0, 0, 1});
-        return;
+    Batch batch{Program::SkyPlain, several, 0, 0, seesOutside(set) ? 1u : 0u};
+    if (several && frame.fillsVoids && frame.view.root == world::kOutside) {
+        const RectRun rects = rectsOfOpenings(frame, set, plan);
+        batch.gated = rects.count > 0;
+        batch.first = rects.first;
+        batch.count = rects.count;
     }
-    const SkyParts parts = splitSky(frame, set, plan);
-    if (parts.open.count > 0)
-        plan.batches.push_back({Program::SkyPlain, false, parts.open.first, parts.open.count, 1});
-    if (parts.tested.count > 0)
-        plan.batches.push_back({Program::SkyPlain, true, parts.tested.first, parts.tested.count, 1});
+    plan.batches.push_back(batch);
 }
 
 void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
-    const bool seesSky = seesOutside(set);
-    if (seesSky || (frame.fillsVoids && plan.visits.size() > 1))
+    const bool seesSky = seesOutside(set), several = set.visits.size() > 1;
+    if (seesSky || (frame.fillsVoids && several))
         planPlainSky(frame, set, plan);
     if (!seesSky)
         return;
     placeSky(world_, frame, sky_);
-    beginBatch(Program::SkyObjects, set.visits.size() > 1, plan);
-    for (const bool overLand : {false, true})
-        addSkyObjects(world_, sky_, {overLand}, plan);
+    // Where voids are drawn, the depth keeps objects behind everything out of them.
+    const bool overLand = std::any_of(sky_.begin(), sky_.end(),
+                                      [](const world::SkyPlacement& placed) { return placed.isOverLand; });
+    beginBatch(Program::SkyObjects, several && (overLand || !frame.fillsVoids), plan);
+    for (const bool isOverLand : {false, true})
+        addSkyObjects(world_, sky_, {isOverLand}, plan);
 }
 
 void Planner::planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics,

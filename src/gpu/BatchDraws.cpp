@@ -27,7 +27,11 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
     BatchDraws out{{BatchDraw{variant, slots.first, slots.end - slots.first}}, 1};
     if (frame.drawing == Drawing::Exact)
         return out;
-    if (isSky(batch.program)) {
+    if (batch.program == frame::Program::SkyPlain && drawsVoids(variant, frame)) {
+        out.draws[1] = out.draws[0];
+        out.draws[1].variant.gated = false;
+        out.count = batch.draws > 0 ? 2 : 1;
+    } else if (isSky(batch.program)) {
         out.draws[0].variant.gated = batch.gated;
     } else if (batch.gated && batch.program == frame::Program::Blended) {
         out.draws[0].variant.lamps = slots.lampsInSecond; // one part, because of the order
@@ -43,20 +47,20 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
     return out;
 }
 
-bool fillsVoids(const ProgramVariant& skyPlain, const FrameKind& frame) {
-    return frame.drawing == Drawing::Fast && skyPlain.gated && !frame.multisampled;
+bool drawsVoids(const ProgramVariant& skyPlain, const FrameKind& frame) {
+    return frame.drawing == Drawing::Fast && skyPlain.gated && !frame.clipped;
 }
 
-DrawState stateOf(frame::Program program, const FrameKind& frame) {
+DrawState stateOf(frame::Program program, const ProgramVariant& variant, const FrameKind& frame) {
     const bool fast = frame.drawing == Drawing::Fast;
     DrawState state;
     // Exact outlines cull back faces per triangle (cull.comp); a portal polygon counts from both sides.
     const bool culled = fast || !frame.exactOutlines;
     state.cullBackFaces = culled && !drawsOpenings(program);
-    // A fast sky is tested before it is shaded, which a program that discards and writes depth never is.
-    // Sky objects have the depth of the plain sky, or none.
+    // A fast sky needs no depth: nothing but its objects is drawn over it. Sky objects have the depth of the plain sky, or none.
+    const bool isVoids = program == frame::Program::SkyPlain && drawsVoids(variant, frame);
     state.writeDepth = program != frame::Program::Blended && program != frame::Program::SkyObjects &&
-                       !(fast && isSky(program));
+                       !(fast && isSky(program) && !isVoids);
     state.depthTest = program == frame::Program::Stamp ? DepthTest::Always : DepthTest::Nearer;
     state.clips = frame.clipped && !drawsOpenings(program);
     return state;

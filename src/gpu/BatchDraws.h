@@ -29,7 +29,8 @@ struct BatchDraw {
 };
 
 /// The draw calls of a batch: one, or for Drawing::Fast two in a frame with several visits, of which only the
-/// second takes the ownership test. A transparent batch has one, so that its draws stay in order. Their number depends on the batch's program and `gated` alone.
+/// second takes the ownership test; of the plain sky the first does, and draws voids alone. A transparent batch has one, so
+/// that its draws stay in order. Their number depends on the batch's program, `gated` and, of the plain sky, `draws` alone.
 struct BatchDraws {
     std::array<BatchDraw, 2> draws;
     std::size_t count = 0;
@@ -38,10 +39,11 @@ struct BatchDraws {
 };
 [[nodiscard]] BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const FrameKind& frame);
 
-/// Whether the plain sky's draw also fills voids, and so reads what is drawn (skyplain.frag).
-[[nodiscard]] bool fillsVoids(const ProgramVariant& skyPlain, const FrameKind& frame);
+/// Whether a draw of the plain sky draws voids instead (voids.frag).
+[[nodiscard]] bool drawsVoids(const ProgramVariant& skyPlain, const FrameKind& frame);
 
-/// Pipeline state of a batch's program, without the program.
-[[nodiscard]] DrawState stateOf(frame::Program program, const FrameKind& frame);
+/// Pipeline state of a draw of a batch's program, without the program.
+[[nodiscard]] DrawState stateOf(frame::Program program, const ProgramVariant& variant,
+                                const FrameKind& frame);
 
 } // namespace limen::gpu

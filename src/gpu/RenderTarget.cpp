@@ -61,12 +61,15 @@ std::vector<T> RenderTarget::read(TargetImage image, std::size_t perPixel) const
 
 namespace {
 
-/// View depth ratio of a stored depth: 0 for the sky, and scaled back for fringes (SharedLayout.h).
+/// View depth ratio of a stored depth: 0 for the sky and voids, and scaled back for fringes (SharedLayout.h).
 float depthOfStored(float stored) {
-    const float sky = std::ldexp(1.0f, -static_cast<int>(frame::gpu::kSkyExponent));
-    if (stored > sky)
+    const auto power = [](std::uint32_t exponent) { return std::ldexp(1.0f, -static_cast<int>(exponent)); };
+    const float sky = power(frame::gpu::kSkyExponent), empty = power(frame::gpu::kVoidExponent);
+    if (stored > empty)
         return stored;
-    return stored == sky ? 0.0f : std::ldexp(stored, static_cast<int>(frame::gpu::kFringeExponent));
+    return stored == sky || stored == empty
+               ? 0.0f
+               : std::ldexp(stored, static_cast<int>(frame::gpu::kFringeExponent));
 }
 
 } // namespace

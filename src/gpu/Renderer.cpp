@@ -312,10 +312,21 @@ void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& op
     device_->clear(TargetImage::Depth, 0.0f);
 }
 
+void Renderer::drawPlainSky(const frame::Batch& batch, bool voids, const FrameKind& frame) {
+    if (voids && !frame.multisampled)
+        device_->readDrawn();
+    if (voids && batch.count > 0)
+        device_->drawVertices(layout::kSkyRectVertices + 6 * batch.first, 6 * batch.count);
+    else if (frame.clipped)
+        device_->drawVertices(3 * batch.first, 3 * batch.draws);
+    else
+        device_->drawVertices(0, 3);
+}
+
 void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std::size_t commands,
                          const FrameKind& frame) {
-    DrawState state = stateOf(batch.program, frame);
     for (const BatchDraw& draw : drawsOf(batch, slots, frame)) {
+        DrawState state = stateOf(batch.program, draw.variant, frame);
         state.program = scene_->programs().get(batch.program, draw.variant);
         device_->setState(state);
         switch (batch.program) {
@@ -325,12 +336,7 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
             device_->drawVertices(batch.first, batch.count);
             break;
         case frame::Program::SkyPlain:
-            if (fillsVoids(draw.variant, frame))
-                device_->readDrawn();
-            if (batch.count > 0)
-                device_->drawVertices(layout::kSkyRectVertices + 6 * batch.first, 6 * batch.count);
-            else
-                device_->drawVertices(3 * batch.first, 3 * batch.draws);
+            drawPlainSky(batch, drawsVoids(draw.variant, frame), frame);
             break;
         default:
             device_->drawIndirect(commands + draw.firstSlot * sizeof(layout::DrawCommand), draw.count);

@@ -96,6 +96,7 @@ private:
     void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
     /// `commands`: offset of the frame's draw commands in the ring memory.
     void drawStages(const frame::FramePlan& plan, std::size_t commands, const FrameKind& frame);
+    void drawPlainSky(const frame::Batch& batch, bool voids, const FrameKind& frame);
     void drawBatch(const frame::Batch& batch, const BatchSlots& slots, std::size_t commands,
                    const FrameKind& frame);
 

@@ -77,6 +77,12 @@ Shaders shadersOf(Drawing drawing, frame::Program program) {
     return {"", "", ""};
 }
 
+/// The gated plain sky of the fast way draws voids alone. With clip planes there are none.
+bool drawsVoids(Drawing drawing, frame::Program program, ProgramVariant variant) {
+    return drawing == Drawing::Fast && program == frame::Program::SkyPlain && variant.gated &&
+           !variant.clipped;
+}
+
 bool hasClippedVariant(frame::Program program) {
     return !drawsOpenings(program);
 }
@@ -96,6 +102,11 @@ ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVari
         source.label += std::string(" ") + name;
         source.defines.emplace_back(define);
     };
+    if (drawsVoids(drawing, program, variant)) {
+        source.label = "voids";
+        source.fragmentShader = "voids.frag";
+        source.defines.emplace_back("VOIDS");
+    }
     if (program == frame::Program::Blended && variant.flat) {
         source.label = "layers";
         source.fragmentShader = fast ? "fastlayers.frag" : "layers.frag";

@@ -1,10 +1,11 @@
 #include "PlannedWorld.h"
 
-#include "frame/SkyParts.h"
+#include "frame/OpeningCells.h"
 #include "frame/ZoneScreenRects.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <tuple>
 
 namespace limen::test {
 namespace {
@@ -30,14 +31,13 @@ struct Openings {
     void addBox(double left, double low, double right, double high, std::uint32_t depth = 1) {
         add({{left, low, 1}, {right, low, 1}, {right, high, 1}, {left, high, 1}}, depth);
     }
-    void split() { parts = splitSky(frame, set, plan); }
-    [[nodiscard]] Rects rectsOf(frame::RectRun run) const {
+    [[nodiscard]] Rects rects() {
+        const frame::RectRun run = rectsOfOpenings(frame, set, plan);
         return {plan.rects.begin() + run.first, plan.rects.begin() + run.first + run.count};
     }
     frame::FrameView frame;
     visibility::VisibleSet set;
     frame::FramePlan plan;
-    frame::SkyParts parts;
 };
 
 int countAt(const Rects& rects, float x, float y) {
@@ -46,29 +46,21 @@ int countAt(const Rects& rects, float x, float y) {
     }));
 }
 
-TEST(SkyParts, anOpeningTakesTheCellsThatItTouches) {
+TEST(OpeningCells, areThoseThatAnOpeningTouches) {
     Openings openings;
     openings.addBox(0.1, 0.3, 0.2, 0.4); // columns 8 and 9, rows 10 and 11, with two pixels around it
-    openings.split();
-    const Rects tested = openings.rectsOf(openings.parts.tested);
-    ASSERT_EQ(tested.size(), 1u);
-    EXPECT_EQ(tested[0], frame::gpu::vec4(0.0f, 0.25f, 0.25f, 0.5f));
-    EXPECT_EQ(openings.rectsOf(openings.parts.open).size(), 4u) << "below, above, and at both sides";
+    EXPECT_EQ(openings.rects(), Rects{frame::gpu::vec4(0.0f, 0.25f, 0.25f, 0.5f)});
 }
 
-TEST(SkyParts, withoutAnOpeningAllIsOpen_andOneOverTheWholeWindowTakesAll) {
+TEST(OpeningCells, areNoneWithoutAnOpening_andAllUnderOneOverTheWholeWindow) {
     Openings none;
-    none.split();
-    EXPECT_EQ(none.parts.tested.count, 0u);
-    EXPECT_EQ(none.rectsOf(none.parts.open), Rects{frame::gpu::vec4(-1, -1, 1, 1)});
+    EXPECT_EQ(none.rects(), Rects{});
     Openings around;
     around.addBox(-1.0, -1.0, 1.0, 1.0);
-    around.split();
-    EXPECT_EQ(around.parts.open.count, 0u);
-    EXPECT_EQ(around.rectsOf(around.parts.tested), Rects{frame::gpu::vec4(-1, -1, 1, 1)});
+    EXPECT_EQ(around.rects(), Rects{frame::gpu::vec4(-1, -1, 1, 1)});
 }
 
-RC_GTEST_PROP(SkyParts, coverThePictureOnce_andNoOpeningIsInTheOpenPart, ()) {
+RC_GTEST_PROP(OpeningCells, coverEachOpeningOnce_andNoPixelTwice, ()) {
     Openings openings;
     const auto ndc = [] { return static_cast<double>(*rc::gen::inRange(-1000, 1000)) / 1000.0; };
     const int count = *rc::gen::inRange(1, 12);
@@ -79,16 +71,14 @@ RC_GTEST_PROP(SkyParts, coverThePictureOnce_andNoOpeningIsInTheOpenPart, ()) {
         openings.addBox(left, low, right, high);
         openings.addBox(left, low, (left + right) / 2.0, high, 2); // behind the first
     }
-    openings.split();
-    const Rects open = openings.rectsOf(openings.parts.open),
-                tested = openings.rectsOf(openings.parts.tested);
+    const Rects rects = openings.rects();
     for (std::uint32_t y = 0; y < openings.frame.height; ++y) {
         for (std::uint32_t x = 0; x < openings.frame.width; ++x) {
             const float atX = (2.0f * static_cast<float>(x) + 1.0f) / 320.0f - 1.0f,
                         atY = (2.0f * static_cast<float>(y) + 1.0f) / 180.0f - 1.0f;
-            const int openHere = countAt(open, atX, atY);
-            RC_ASSERT(openHere + countAt(tested, atX, atY) == 1);
-            for (std::size_t i = 1; i < openings.set.visits.size() && openHere > 0; ++i) {
+            const int here = countAt(rects, atX, atY);
+            RC_ASSERT(here <= 1);
+            for (std::size_t i = 1; i < openings.set.visits.size() && here == 0; ++i) {
                 const auto rect = rectAround(openings.frame, openings.set, openings.set.visits[i]);
                 RC_ASSERT(countAt({rect}, atX, atY) == 0);
             }
@@ -99,28 +89,40 @@ RC_GTEST_PROP(SkyParts, coverThePictureOnce_andNoOpeningIsInTheOpenPart, ()) {
 struct PlannedSky : ::testing::Test {
     Rooms rooms;
     PlannedWorld planned{rooms.world};
-    /// Of the plain sky's batches: whether they take the ownership test, and have rectangles.
-    std::vector<std::pair<bool, bool>> skyFrom(const Vec3& eye, double yaw, world::SpaceIndex root,
-                                               bool fewTests) {
+    /// The batch of a program; nullptr: none.
+    const frame::Batch* batchFrom(Program program, const Vec3& eye, double yaw, world::SpaceIndex root,
+                                  bool fast) {
         static_cast<void>(planned.planFrom(eye, yaw, root));
-        planned.view.fewTests = planned.view.fillsVoids = fewTests;
+        planned.view.fewTests = planned.view.fillsVoids = fast;
         planned.planner.plan(planned.view, planned.visible, planned.plan);
-        std::vector<std::pair<bool, bool>> found;
-        for (const frame::Batch& batch : planned.plan.batches)
-            if (batch.program == Program::SkyPlain)
-                found.emplace_back(batch.gated, batch.count > 0);
-        return found;
+        const auto& batches = planned.plan.batches;
+        const auto found = std::find_if(batches.begin(), batches.end(),
+                                        [&](const frame::Batch& batch) { return batch.program == program; });
+        return found == batches.end() ? nullptr : &*found;
     }
 };
-using Found = std::vector<std::pair<bool, bool>>;
 
-TEST_F(PlannedSky, isInTwoPartsForAnEyeOutside) {
+TEST_F(PlannedSky, hasVoidsNearOpenings_forAFastFrameFromOutside) {
     const world::SpaceIndex second = world::findCell(planned.world, rooms.world.id(rooms.second));
-    EXPECT_EQ(skyFrom({92, 104, 1.5}, 180, world::kOutside, true), (Found{{false, true}, {true, true}}));
-    EXPECT_EQ(skyFrom({92, 104, 1.5}, 180, world::kOutside, false), (Found{{true, false}}))
-        << "every fragment tests";
-    EXPECT_EQ(skyFrom({92, 104, 1.5}, 0, world::kOutside, true), (Found{{false, false}})) << "one visit";
-    EXPECT_EQ(skyFrom({92, 96, 1.5}, 0, second, true), (Found{{true, false}})) << "through the exit";
+    const auto plain = [&](const Vec3& eye, double yaw, world::SpaceIndex root, bool fast) {
+        const frame::Batch* batch = batchFrom(Program::SkyPlain, eye, yaw, root, fast);
+        return batch == nullptr ? std::tuple(false, false, 9u)
+                                : std::tuple(batch->gated, batch->count > 0, batch->draws);
+    };
+    EXPECT_EQ(plain({92, 104, 1.5}, 180, world::kOutside, true), std::tuple(true, true, 1u));
+    EXPECT_EQ(plain({92, 104, 1.5}, 180, world::kOutside, false), std::tuple(true, false, 1u));
+    EXPECT_EQ(plain({92, 104, 1.5}, 0, world::kOutside, true), std::tuple(false, false, 1u)) << "one visit";
+    EXPECT_EQ(plain({92, 96, 1.5}, 0, second, true), std::tuple(true, false, 1u)) << "through the exit";
+    EXPECT_EQ(plain({92, 96, 1.5}, 180, second, true), std::tuple(true, false, 0u)) << "voids alone";
+}
+
+TEST_F(PlannedSky, objectsTakeATestInExactFramesAlone) {
+    for (const bool fast : {false, true}) {
+        const frame::Batch* objects =
+            batchFrom(Program::SkyObjects, {92, 104, 1.5}, 180, world::kOutside, fast);
+        ASSERT_NE(objects, nullptr);
+        EXPECT_EQ(objects->gated, !fast);
+    }
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "frame/SkyParts.h"
+#include "frame/OpeningCells.h"
 
 #include "frame/ZoneScreenRects.h"
 
@@ -47,35 +47,31 @@ void addRow(std::uint16_t bits, int row, int height, std::vector<gpu::vec4>& rec
     }
 }
 
-/// `flip`: all bits for the cells that are not touched.
-RectRun addRects(const Touched& touched, std::uint16_t flip, FramePlan& plan) {
+RectRun addRects(const Touched& touched, FramePlan& plan) {
     const std::size_t first = plan.rects.size();
     for (int row = 0; row < kCells;) {
         const std::uint16_t bits = touched[static_cast<std::size_t>(row)];
         int end = row + 1;
         while (end < kCells && touched[static_cast<std::size_t>(end)] == bits)
             ++end;
-        addRow(static_cast<std::uint16_t>(bits ^ flip), row, end - row, plan.rects);
+        addRow(bits, row, end - row, plan.rects);
         row = end;
     }
     return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(plan.rects.size() - first)};
 }
 
-constexpr std::size_t kMostSkyRects = std::size_t{kCells} * kCells;
+constexpr std::size_t kMostRects = std::size_t{kCells} * kCells;
 
 } // namespace
 
-SkyParts splitSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
+RectRun rectsOfOpenings(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan) {
     Touched touched{};
     for (const visibility::Visit& visit : set.visits)
         if (visit.depth == 1) // those behind them are within their regions
             touch(rectAround(frame, set, visit), touched);
-    if (plan.rects.size() + kMostSkyRects > kMaxFirstRect)
+    if (plan.rects.size() + kMostRects > kMaxFirstRect)
         touched.fill(0xFFFF);
-    SkyParts parts;
-    parts.open = addRects(touched, 0xFFFF, plan);
-    parts.tested = addRects(touched, 0, plan);
-    return parts;
+    return addRects(touched, plan);
 }
 
 } // namespace limen::frame
