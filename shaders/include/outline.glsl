@@ -14,6 +14,22 @@ vec2 acrossRay(vec3 onScreen, vec2 window) {
     return across;
 }
 
+// An edge and the half-line to the right of the ray, at the ray's height.
+struct EdgeSide {
+    bool rises;   // from below the ray to above it
+    bool crosses; // the ray's height
+    bool isRight; // where it crosses, it is to the right of the ray
+};
+
+// Ends by acrossRay(). The lower end comes first in the product, whichever way the edge runs.
+EdgeSide edgeSide(vec2 from, vec2 to) {
+    bool rises = from.y < 0.0;
+    vec2 below = rises ? from : to;
+    vec2 above = rises ? to : from;
+    precise float side = below.x * above.y - above.x * below.y;
+    return EdgeSide(rises, rises != (to.y < 0.0), side > 0.0);
+}
+
 // Whether the ray's line passes over the outline: parity of the edges that cross the half-line to its right. Two
 // polygons with a common edge evaluate the same expression for it, with its ends in the same order, so no ray passes
 // between them.
@@ -22,22 +38,18 @@ bool isOverOutline(uint count, vec2 window) {
     vec2 from = acrossRay(cornerOnScreen(count - 1u), window);
     for (uint i = 0u; i < count; ++i) {
         vec2 to = acrossRay(cornerOnScreen(i), window);
-        if ((from.y < 0.0) != (to.y < 0.0)) {
-            vec2 below = from.y < 0.0 ? from : to;
-            vec2 above = from.y < 0.0 ? to : from;
-            precise float side = below.x * above.y - above.x * below.y;
-            inside = inside != (side > 0.0);
-        }
+        EdgeSide edge = edgeSide(from, to);
+        inside = inside != (edge.crosses && edge.isRight);
         from = to;
     }
     return inside;
 }
 
-// Edges of a triangle as isOverOutline() evaluates them; edge i ends at corner i.
+// The edges of a triangle; edge i ends at corner i.
 struct TriangleEdges {
-    bvec3 rises;   // from below the ray to above it
-    bvec3 crosses; // the height of the ray
-    bvec3 isRight; // where it crosses it, the edge is to the right of the ray
+    bvec3 rises;
+    bvec3 crosses;
+    bvec3 isRight;
 };
 
 TriangleEdges triangleEdges(vec2 window) {
@@ -45,18 +57,16 @@ TriangleEdges triangleEdges(vec2 window) {
     vec2 from = acrossRay(cornerOnScreen(2u), window);
     for (uint i = 0u; i < 3u; ++i) {
         vec2 to = acrossRay(cornerOnScreen(i), window);
-        bool rises = from.y < 0.0;
-        vec2 below = rises ? from : to;
-        vec2 above = rises ? to : from;
-        precise float side = below.x * above.y - above.x * below.y;
-        edges.rises[i] = rises;
-        edges.crosses[i] = rises != (to.y < 0.0);
-        edges.isRight[i] = side > 0.0;
+        EdgeSide edge = edgeSide(from, to);
+        edges.rises[i] = edge.rises;
+        edges.crosses[i] = edge.crosses;
+        edges.isRight[i] = edge.isRight;
         from = to;
     }
     return edges;
 }
 
+// As isOverOutline().
 bool isOverTriangle(TriangleEdges edges) {
     bvec3 counts = bvec3(edges.crosses.x && edges.isRight.x, edges.crosses.y && edges.isRight.y, edges.crosses.z && edges.isRight.z);
     return counts.x != (counts.y != counts.z);

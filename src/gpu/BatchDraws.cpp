@@ -27,7 +27,7 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
     BatchDraws out{{BatchDraw{variant, slots.first, slots.end - slots.first}}, 1};
     if (frame.drawing == Drawing::Exact)
         return out;
-    if (batch.program == frame::Program::SkyPlain && drawsVoids(variant, frame)) {
+    if (drawsVoids(frame.drawing, batch.program, variant)) {
         out.draws[1] = out.draws[0];
         out.draws[1].variant.gated = false;
         out.count = batch.draws > 0 ? 2 : 1;
@@ -47,10 +47,6 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
     return out;
 }
 
-bool drawsVoids(const ProgramVariant& skyPlain, const FrameKind& frame) {
-    return frame.drawing == Drawing::Fast && skyPlain.gated && !frame.clipped;
-}
-
 DrawState stateOf(frame::Program program, const ProgramVariant& variant, const FrameKind& frame) {
     const bool fast = frame.drawing == Drawing::Fast;
     DrawState state;
@@ -58,7 +54,7 @@ DrawState stateOf(frame::Program program, const ProgramVariant& variant, const F
     const bool culled = fast || !frame.exactOutlines;
     state.cullBackFaces = culled && !drawsOpenings(program);
     // A fast sky needs no depth: nothing but its objects is drawn over it. Sky objects have the depth of the plain sky, or none.
-    const bool isVoids = program == frame::Program::SkyPlain && drawsVoids(variant, frame);
+    const bool isVoids = drawsVoids(frame.drawing, program, variant);
     state.writeDepth = program != frame::Program::Blended && program != frame::Program::SkyObjects &&
                        !(fast && isSky(program) && !isVoids);
     state.depthTest = program == frame::Program::Stamp ? DepthTest::Always : DepthTest::Nearer;

@@ -39,9 +39,6 @@ struct BatchDraws {
 };
 [[nodiscard]] BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const FrameKind& frame);
 
-/// Whether a draw of the plain sky draws voids instead (voids.frag).
-[[nodiscard]] bool drawsVoids(const ProgramVariant& skyPlain, const FrameKind& frame);
-
 /// Pipeline state of a draw of a batch's program, without the program.
 [[nodiscard]] DrawState stateOf(frame::Program program, const ProgramVariant& variant,
                                 const FrameKind& frame);

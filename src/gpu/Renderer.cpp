@@ -336,7 +336,7 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
             device_->drawVertices(batch.first, batch.count);
             break;
         case frame::Program::SkyPlain:
-            drawPlainSky(batch, drawsVoids(draw.variant, frame), frame);
+            drawPlainSky(batch, drawsVoids(frame.drawing, batch.program, draw.variant), frame);
             break;
         default:
             device_->drawIndirect(commands + draw.firstSlot * sizeof(layout::DrawCommand), draw.count);

@@ -77,12 +77,6 @@ Shaders shadersOf(Drawing drawing, frame::Program program) {
     return {"", "", ""};
 }
 
-/// The gated plain sky of the fast way draws voids alone. With clip planes there are none.
-bool drawsVoids(Drawing drawing, frame::Program program, ProgramVariant variant) {
-    return drawing == Drawing::Fast && program == frame::Program::SkyPlain && variant.gated &&
-           !variant.clipped;
-}
-
 bool hasClippedVariant(frame::Program program) {
     return !drawsOpenings(program);
 }
@@ -92,6 +86,11 @@ bool hasFlatVariant(frame::Program program) {
 }
 
 } // namespace
+
+bool drawsVoids(Drawing drawing, frame::Program program, ProgramVariant variant) {
+    return drawing == Drawing::Fast && program == frame::Program::SkyPlain && variant.gated &&
+           !variant.clipped;
+}
 
 ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVariant variant,
                             const TextureBinding& textures) {

@@ -19,6 +19,9 @@ struct ProgramVariant {
     bool clipped = false;      ///< with clip distances and without the ownership test
 };
 
+/// Whether a program draws voids: the gated plain sky of the fast way does, and nothing else (voids.frag).
+[[nodiscard]] bool drawsVoids(Drawing drawing, frame::Program program, ProgramVariant variant);
+
 /// Sources and macros of a batch's program.
 [[nodiscard]] ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVariant variant,
                                           const TextureBinding& textures);
