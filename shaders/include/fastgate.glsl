@@ -11,6 +11,7 @@ bool isSeen(uvec3 members) {
     instance.idBase = members.z;
     vec3 at = placeHere();
     bool takesTest = members.y > 0u;
-    return walkChain(instance, SurfacePoint(at, dFdx(at), dFdy(at)), takesTest) || !takesTest;
+    bool afterFilling;
+    return walkChain(instance, SurfacePoint(at, dFdx(at), dFdy(at)), takesTest, afterFilling) || !takesTest;
 }
 #endif

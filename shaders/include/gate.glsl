@@ -106,17 +106,21 @@ const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next v
 
 // Follows the chain from the pixel's leaf visit to the root; parents come before children, so it ends. Without `walks`
 // the loop has no turn. A loop rather than a branch: drivers that execute every branch for all fragments still leave a
-// loop early.
-bool walkChain(Instance instance, SurfacePoint point, bool walks) {
+// loop early. `afterFilling`: the fragment is not kept, but would be if the filling in whose plane it lies were not there.
+bool walkChain(Instance instance, SurfacePoint point, bool walks, out bool afterFilling) {
     vec4 next = kNothingBeyond;
     uint shutBy = 0u;
     uint visitIndex = walks ? leafVisit() : kNoVisit;
+    afterFilling = false;
     while (visitIndex < frame.visitCount) {
         Visit visit = visitAt(visitIndex);
         bool beyondEntry = isBeyondEntry(visit.entryPlane, point.at, toleranceFor(visit.entryPlane.xyz, point));
-        bool beforeNext = isBeforeNext(next, point.at, leavingTolerance(instance, next.xyz, shutBy, point));
+        bool beforeNext = isBeforeNext(next, point.at, toleranceFor(next.xyz, point));
         if (beyondEntry && beforeNext && isMember(instance, visit.zone)) {
-            return true;
+            if (isBeforeNext(next, point.at, leavingTolerance(instance, next.xyz, shutBy, point))) {
+                return true;
+            }
+            afterFilling = true;
         }
         next = visit.entryPlane;
         shutBy = visit.shutBy;

@@ -247,6 +247,11 @@ Intersection intersectClose(Intersection found, TriangleEdges edges, vec3 direct
     return Intersection(close ? depth : found.depth, close ? depth > 0.0 : found.isAhead, found.isOnFringe && !close, close);
 }
 
+// A stored depth behind all others; one that is there already stays.
+float behindAll(float stored) {
+    return stored > kVoidDepth ? stored * kBehindAll : stored;
+}
+
 // Position eye-relative; sets the fragment's depth. False: the pixel's ray does not meet the triangle's front.
 bool findOnPolygon(Instance instance, out SurfacePoint point) {
     uint kind = kindOf(instance);
@@ -260,7 +265,8 @@ bool findOnPolygon(Instance instance, out SurfacePoint point) {
     float tested = met.depth + behindNeighbours(kind == kKindShell, point.at, direction) - beforePlane(kind, direction) +
                    behindRounding(kind, direction, met.depth);
     bool isOver = met.isAhead && (met.isExact || isOverTriangle(edges));
-    gl_FragDepth = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0) * (isOver ? 1.0 : kBehindAll);
+    float stored = min(frame.nearPlane / max(tested, frame.nearPlane), 1.0);
+    gl_FragDepth = isOver ? stored : behindAll(stored);
 #ifndef TRANSLUCENT // layers count once where two polygons share an edge, so they have no fringe
     isOver = isOver || met.isOnFringe;
 #endif

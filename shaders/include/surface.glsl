@@ -64,7 +64,15 @@ bool isKept(Instance instance) {
     }
 #ifdef GATED
     bool isGated = (vInstance & kGated) != 0u;
-    return walkChain(instance, point, isGated) || !isGated; // others are wholly inside one visit
+    bool afterFilling;
+    bool isSeen = walkChain(instance, point, isGated, afterFilling) || !isGated; // others are wholly inside one visit
+#if defined(EXACT) && !defined(TRANSLUCENT)
+    // A wall in the plane of a shut opening, at their common edge, which the filling may leave free.
+    bool isBesideFilling = !isSeen && afterFilling && kindOf(instance) == kKindShell;
+    gl_FragDepth = isBesideFilling ? behindAll(gl_FragDepth) : gl_FragDepth;
+    isSeen = isSeen || isBesideFilling;
+#endif
+    return isSeen;
 #else
     return true; // a frame with one visit: everything is seen from the root's zone
 #endif
