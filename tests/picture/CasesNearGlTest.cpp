@@ -228,7 +228,8 @@ TEST_P(CasesNear, case49_anEyeAtAnOpeningOfOneWayThatIsNotFlat) {
     }
 }
 
-/// A room with a shut door, whose leaf keeps a centimetre from the opening's edges, and a cellar under it whose wall is in the door's plane. Both rooms are one zone.
+/// A room above a cellar, as one zone. A wall of the cellar is in the plane of the room's shut door, whose leaf keeps a
+/// centimetre from the opening's edges.
 struct DoorOverCellar {
     static constexpr double kWall = 84.0, kCeiling = -9.0; ///< y of the door; z of its lower edge
     TestWorld world;
@@ -271,7 +272,7 @@ TEST_P(CasesNear, case50_aWallBelowAShutDoorInTheDoorsPlane) {
             continue;
         ++views;
         const Picture picture = pictures.shoot(pictures.look(eye, yaw, pitch, cellar));
-        // The leaf behind the edge can show on it (docs/cases.md), nothing else.
+        // The leaf behind the edge can show on it (docs/cases.md). Nothing else can.
         EXPECT_EQ(std::ranges::count(picture.ids, frame::gpu::kVoidId), 0)
             << eye.x << " " << eye.y << " " << eye.z;
         wrong += pictures.judge(picture).findings();
