@@ -190,9 +190,11 @@ vec2 uvOnPolygon() {
 // reached through the back of the wall beyond that edge belongs to a cell that the ray is not in. It is moved behind
 // that wall, so that the ray's own cell shows instead. Yields the added distance along the ray. The width of the zone
 // affected follows from the flatness of the cell's polygons (world::MeshVertex): 1 / length of the stored wall vector.
-// Shells are placed untransformed, so facets need no turning. Shells only; see stretchOver for the loop.
+// Shells are placed untransformed, so facets need no turning. Shells only; see stretchOver for the loop. NO_SHELLS: programs
+// without shells leave it out, because a software driver executes the body of a loop once even if it has no turn.
 float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
     float farther = 0.0;
+#ifndef NO_SHELLS
     uint edges = isShell ? 3u : 0u;
     for (uint i = 0u; i < edges; ++i) {
         vec3 wall = neighbourAt(vTriangle + i);
@@ -206,6 +208,7 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
             farther = max(farther, 2.0 / max(dot(wall, direction), 0.1 * perMetre));
         }
     }
+#endif
     return farther;
 }
 

@@ -66,7 +66,7 @@ bool isKept(Instance instance) {
     bool isGated = (vInstance & kGated) != 0u;
     bool afterFilling;
     bool isSeen = walkChain(instance, point, isGated, afterFilling) || !isGated; // others are wholly inside one visit
-#if defined(EXACT) && !defined(TRANSLUCENT)
+#if defined(EXACT) && !defined(TRANSLUCENT) && !defined(NO_SHELLS)
     // A wall in the plane of a shut opening, at their common edge, which the filling may leave free.
     bool isBesideFilling = !isSeen && afterFilling && kindOf(instance) == kKindShell;
     gl_FragDepth = isBesideFilling ? behindAll(gl_FragDepth) : gl_FragDepth;

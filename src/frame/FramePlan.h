@@ -64,6 +64,7 @@ struct Batch {
     /// Pieces of all its runs. For openings: 1 if they draw anything. For SkyPlain: 0 if no ray ends outside, else
     /// triangles, one for each clip set.
     std::uint32_t draws = 0;
+    bool shells = true; ///< a draw may be the shell of a cell
 };
 
 /// Makes the device records of dynamic instances when the plan is drawn. The instances stay in the dynamic

@@ -170,6 +170,7 @@ void Planner::placeLamps(const Vec3& eye, FramePlan& plan) {
 
 void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) {
     beginBatch(programOf(drawn), several, plan);
+    plan.batches.back().shells = scene_.mayBeShells(drawn);
     for (const SelectedRange& range : selection_.ranges()) {
         PieceRun run = pieces_.run(range.first, range.end, drawn);
         run.gated = range.gated;

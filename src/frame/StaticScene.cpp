@@ -8,10 +8,26 @@
 
 namespace limen::frame {
 
+namespace {
+
+bool shellsHaveCutOuts(const world::World& world) {
+    return std::any_of(world.instances.begin(), world.instances.end(), [&](const world::Instance& instance) {
+        bool isOne = false;
+        if (instance.kind == world::InstanceKind::Shell)
+            eachRangeOf(world.meshes[instance.mesh], instance.kind,
+                        [&](DrawClass drawn, const world::Mesh::Range& range) {
+                            isOne = isOne || (drawn == DrawClass::CutOut && range.indexCount > 0);
+                        });
+        return isOne;
+    });
+}
+
+} // namespace
+
 StaticScene::StaticScene(const world::World& world)
     : world_(world), clusters_(buildClusters(world)), clusterBatches_(clusters_),
       pieces_(buildPieces(world, clusters_)), meshPieces_(world), members_(membersOfSpaces(world)),
-      byObject_(world.instances.size()) {
+      hasShellCutOuts_(shellsHaveCutOuts(world)), byObject_(world.instances.size()) {
     records_.reserve(world.instances.size());
     std::map<std::pair<world::SpaceIndex, std::uint32_t>, MemberRun> known; // by the only space and light set
     for (std::size_t i = 0; i < world.instances.size(); ++i) {

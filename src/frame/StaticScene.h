@@ -26,6 +26,11 @@ public:
     [[nodiscard]] std::span<const gpu::Instance> records() const { return records_; }
     /// The member records that `records` refer to; those of the spaces come first (frame/PackInstance.h).
     [[nodiscard]] std::span<const gpu::Member> members() const { return members_; }
+    /// Whether draws of a class can be the shells of cells; blended ones always can.
+    [[nodiscard]] bool mayBeShells(DrawClass drawn) const {
+        return drawn == DrawClass::Wall || drawn == DrawClass::Blended ||
+               (drawn == DrawClass::CutOut && hasShellCutOuts_);
+    }
     /// The static instances of an object, ascending; empty if the world has no such object.
     [[nodiscard]] std::span<const world::InstanceIndex> instancesOf(std::uint64_t object) const;
 
@@ -37,6 +42,7 @@ private:
     const MeshPieces meshPieces_;
     std::vector<gpu::Member> members_;
     std::vector<gpu::Instance> records_;
+    const bool hasShellCutOuts_;                 ///< cut-outs, or split surfaces
     std::vector<world::InstanceIndex> byObject_; ///< sorted by object, then by number
 };
 

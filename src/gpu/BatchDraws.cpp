@@ -17,7 +17,8 @@ ProgramVariant variantOf(const frame::Batch& batch, const FrameKind& frame) {
             .details = batch.program == frame::Program::Terrain ? frame.grainedLand : frame.grainedMeshes,
             .pixelLamps = frame.pixelLamps,
             .ids = frame.options.wantIds,
-            .clipped = frame.clipped};
+            .clipped = frame.clipped,
+            .shells = batch.shells};
 }
 
 } // namespace

@@ -103,6 +103,46 @@ TEST_F(PlannerTest, wallsAndGroundComeBeforeAllElse) {
     EXPECT_GT(walls, 2u);
 }
 
+/// Numbers of shells among the pieces of batches that may have some, and of all pieces of the other batches.
+struct ShellCounts {
+    std::size_t shells = 0, others = 0;
+};
+ShellCounts shellsOf(const PlannedWorld& planned, const frame::FramePlan& plan, Program program) {
+    ShellCounts counts;
+    for (const frame::Batch& batch : plan.batches) {
+        if (batch.program != program)
+            continue;
+        for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch)) {
+            const bool isShell = planned.world.instances[piece.instance].kind == world::InstanceKind::Shell;
+            EXPECT_TRUE(batch.shells || !isShell) << "programs without shells draw none";
+            counts.shells += isShell ? 1 : 0;
+            counts.others += batch.shells ? 0 : 1;
+        }
+    }
+    return counts;
+}
+
+TEST_F(PlannerTest, aBatchSaysWhetherItMayHaveShells) {
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, first);
+    const ShellCounts opaque = shellsOf(planned, plan, Program::Opaque);
+    EXPECT_GT(opaque.shells, 1u) << "the rooms";
+    EXPECT_GT(opaque.others, 1u) << "the tables";
+    EXPECT_EQ(shellsOf(planned, plan, Program::Terrain).shells, 0u);
+    for (const frame::Batch& batch : plan.batches)
+        EXPECT_TRUE(batch.program != Program::CutOut || !batch.shells) << "no shell has cut-outs";
+}
+
+TEST(ShellsWithCutOuts, areInABatchThatSaysSo) {
+    TestWorld source;
+    source.solid("grate", 0xFF808080, dat::Surface::kBase1ClipMap);
+    const TestWorld::Cell room = source.addBox({90, 90, 0}, {94, 94, 3}, "grate");
+    PlannedWorld planned(source);
+    const auto& plan = planned.planFrom({92, 91, 1.5}, 0, world::findCell(planned.world, source.id(room)));
+    EXPECT_GT(shellsOf(planned, plan, Program::CutOut).shells, 0u);
+    for (const frame::Batch& batch : plan.batches)
+        EXPECT_TRUE(batch.program != Program::CutOut || batch.shells);
+}
+
 TEST_F(PlannerTest, aBatchsRunsAddUp) {
     for (const Vec3& eye : {Vec3(92, 91, 1.5), Vec3(92, 104, 1.5)}) {
         const auto& plan = planned.planFrom(eye, 180, eye.y < 98 ? first : world::kOutside);

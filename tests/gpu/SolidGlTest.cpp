@@ -178,6 +178,31 @@ TEST_F(SolidGlTest, twoRendersAreEqualToTheBit) {
     }
 }
 
+// The programs without shells lack a step that only shells need.
+TEST_F(SolidGlTest, programsWithoutShells_drawOtherSurfacesAlike) {
+    SceneBuilder scene;
+    scene.root(1);
+    scene.visitThrough({-1, -1}, {1, 1}, 2, 2, 0);
+    const std::uint32_t texture =
+        scene.addTexture(2, 2, {250, 0, 0, 255, 0, 250, 0, 0, 0, 0, 250, 255, 90, 80, 70, 255}, false);
+    const std::uint32_t picture = scene.addMaterial({1, 1, 1, 1}, texture);
+    scene.addWallWithOpening('A', 3, 1, 2, {.members = {{1, 0}}, .material = picture, .gated = true});
+    scene.addQuad('B', {glm::vec3{-9, 1, -2}, {9, 1, -2}, {9, 40, 3}, {-9, 40, 3}},
+                  {.members = {{2, 0}}, .material = picture, .gated = true});
+    scene.addWall('c', {-1, -1}, {0, 1}, 1,
+                  {.members = {{1, 0}}, .material = picture, .program = frame::Program::CutOut});
+    Renderer renderer(*device_);
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    frame::FramePlan plan = scene.finish();
+    const Frame with = renderWith(renderer, plan, 64, 48);
+    for (frame::Batch& batch : plan.batches)
+        batch.shells = false;
+    const Frame without = renderWith(renderer, plan, 64, 48);
+    EXPECT_EQ(with.ids, without.ids);
+    EXPECT_EQ(with.depth, without.depth);
+    EXPECT_EQ(with.colour, without.colour);
+}
+
 TEST_F(SolidGlTest, withoutIds_colourAndDepthAreTheSame) {
     SceneBuilder scene;
     scene.root(0);

@@ -77,6 +77,12 @@ Shaders shadersOf(Drawing drawing, frame::Program program) {
     return {"", "", ""};
 }
 
+/// Exact programs do more for shells (onpolygon.glsl). The ground is none in any variant.
+bool hasShellVariant(Drawing drawing, frame::Program program) {
+    return drawing == Drawing::Exact &&
+           (program == frame::Program::Opaque || program == frame::Program::CutOut);
+}
+
 bool hasClippedVariant(frame::Program program) {
     return !drawsOpenings(program);
 }
@@ -122,6 +128,8 @@ ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVari
         vary("pixel lamps", "PIXEL_LAMPS");
     if (hasClippedVariant(program) && variant.clipped)
         vary("clipped", "CLIPPED");
+    if (program == frame::Program::Terrain || (hasShellVariant(drawing, program) && !variant.shells))
+        vary("without shells", "NO_SHELLS");
     if (program == frame::Program::Stamp)
         source.defines.emplace_back("AT_FAR");
     if (variant.multisampled)
@@ -190,7 +198,8 @@ std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) co
     const std::size_t details = hasDetailVariant(program, variant) && variant.details ? 32 : 0;
     const std::size_t pixel = hasPixelLampVariant(drawing_, program, variant) && variant.pixelLamps ? 64 : 0;
     const std::size_t clipped = hasClippedVariant(program) && variant.clipped ? 128 : 0;
-    return gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps + details + pixel + clipped;
+    const std::size_t shells = hasShellVariant(drawing_, program) && !variant.shells ? 256 : 0;
+    return shells + gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps + details + pixel + clipped;
 }
 
 Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {

@@ -17,6 +17,7 @@ struct ProgramVariant {
     bool pixelLamps = false;   ///< lamps light walls in fragments; of Drawing::Fast only with `lamps`
     bool ids = true;           ///< with ids; without effect on Drawing::Exact, whose programs all have them
     bool clipped = false;      ///< with clip distances and without the ownership test
+    bool shells = true;        ///< draws may be shells of cells; without effect on Drawing::Fast
 };
 
 /// Whether a program draws voids: the gated plain sky of the fast way does, and nothing else (voids.frag).
@@ -59,7 +60,7 @@ public:
 
 private:
     static constexpr std::size_t kPrograms = frame::kProgramCount;
-    static constexpr std::size_t kVariants = 256;
+    static constexpr std::size_t kVariants = 512;
     [[nodiscard]] bool has(frame::Program program, ProgramVariant variant) const;
     [[nodiscard]] std::size_t indexOf(frame::Program program, ProgramVariant variant) const;
 
