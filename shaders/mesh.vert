@@ -91,7 +91,8 @@ struct Around {
 Growth growthOf(Around clip, bool all) {
     Growth growth = Growth(0.0, 0.0, vec2(0.0), false);
     uint turns = all ? 3u : 1u;
-    for (uint turn = 0u; turn < turns; ++turn) {
+    uint turn = 0u;
+    do {
         Growth next = growthAt(clip.before, clip.own, clip.after, true);
         bool fails = growth.fails || next.fails;
         if (turn == 0u) {
@@ -99,7 +100,8 @@ Growth growthOf(Around clip, bool all) {
         }
         growth.fails = fails && all;
         clip = Around(clip.own, clip.after, clip.before);
-    }
+        ++turn;
+    } while (turn < turns); // at the end: see walkChain in gate.glsl
     return growth;
 }
 

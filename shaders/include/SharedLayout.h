@@ -264,6 +264,7 @@ LIMEN_CONST kMeasures = 4u;       // a power of two
 LIMEN_CONST kBlockMask = 0xFFFFu; // of Instance.block
 LIMEN_CONST kClipSetShift = 16u;
 LIMEN_CONST kMostMembers = 0xFFFFu;
+LIMEN_CONST kMostVisitBits = 63u;  // of DrawRecord.members
 LIMEN_CONST kOneMember = 0x10000u; // of DrawRecord.members, in place of the count
 
 // A zone that an instance belongs to, and its light set there.
@@ -433,7 +434,8 @@ LIMEN_STRUCT(DrawRecord) {
     vec4 sun LIMEN_ZERO;     // rgb: light of the sun at a surface that faces it
     uvec4 look LIMEN_ZERO;   // Instance.firstMaterial, Instance.highlight, LightSet.firstLamp and lampCount
     // Instance.firstMember, member count (0: no ownership test), Instance.idBase, LightSet.kind plus the component of
-    // detailTextures that covers it << kRecordDetail. An instance of one zone: the zone, kOneMember.
+    // detailTextures that covers it << kRecordDetail. An instance of one zone: the zone, kOneMember. In a frame of up to
+    // kMostVisitBits visits x and y of a draw with the test are a bit for each visit to one of its zones, and kGated.
     uvec4 members LIMEN_ZERO;
 };
 

@@ -44,20 +44,30 @@ bool keepOutside() {
     return (ownerHere() & kOwnedOutside) != 0u;
 }
 
-// A fast draw of one zone has it in place of the first member (DrawRecord.members); the loop then has no turn.
-bool isMember(Instance instance, uint zone) {
-#ifdef FAST
-    if ((instance.membersAndKind & kOneMember) != 0u && instance.firstMember == zone) {
-        return true;
-    }
-#endif
-    for (uint i = 0u; i < memberCountOf(instance); ++i) {
-        if (memberAt(instance.firstMember + i).zone == zone) {
-            return true;
-        }
-    }
-    return false;
+// Whether an instance belongs to a visit's zone.
+#if defined(FAST) && !defined(MEMBER_LISTS)
+// Its record has a bit for each visit (DrawRecord.members).
+bool isMember(Instance instance, uint visitIndex, uint zone) {
+    uint bits = visitIndex < 32u ? instance.firstMember : instance.membersAndKind;
+    return (bits >> (visitIndex & 31u) & 1u) != 0u;
 }
+#else
+// A fast draw of one zone has it in place of the first member, and counts no members. The condition of the loop stands at
+// its end: see walkChain.
+bool isMember(Instance instance, uint visitIndex, uint zone) {
+    uint count = memberCountOf(instance);
+    bool isFound = false;
+    uint i = 0u;
+    do {
+        isFound = memberAt(count > 0u ? instance.firstMember + i : 0u).zone == zone && count > 0u;
+        ++i;
+    } while (!isFound && i < count);
+#ifdef FAST
+    isFound = isFound || ((instance.membersAndKind & kOneMember) != 0u && instance.firstMember == zone);
+#endif
+    return isFound;
+}
+#endif
 
 // A fragment's position, eye-relative, and its change from pixel to pixel.
 struct SurfacePoint {
@@ -105,26 +115,25 @@ bool isBeforeNext(vec4 next, vec3 at, float tolerance) {
 const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit
 
 // Follows the chain from the pixel's leaf visit to the root; parents come before children, so it ends. Without `walks`
-// the loop has no turn. A loop rather than a branch: drivers that execute every branch for all fragments still leave a
-// loop early. `afterFilling`: the fragment is not kept, but would be if the filling in whose plane it lies were not there.
+// it looks at the root alone, in vain. The condition stands at the end of the loop, because software drivers execute the
+// body once more than it has turns if the condition stands before it. `afterFilling`: the fragment is not kept, but would be
+// if the filling in whose plane it lies were not there.
 bool walkChain(Instance instance, SurfacePoint point, bool walks, out bool afterFilling) {
     vec4 next = kNothingBeyond;
     uint shutBy = 0u;
-    uint visitIndex = walks ? leafVisit() : kNoVisit;
+    uint visitIndex = walks ? leafVisit() : 0u;
+    bool isKept = false;
     afterFilling = false;
-    while (visitIndex < frame.visitCount) {
+    do {
         Visit visit = visitAt(visitIndex);
         bool beyondEntry = isBeyondEntry(visit.entryPlane, point.at, toleranceFor(visit.entryPlane.xyz, point));
         bool beforeNext = isBeforeNext(next, point.at, toleranceFor(next.xyz, point));
-        if (beyondEntry && beforeNext && isMember(instance, visit.zone)) {
-            if (isBeforeNext(next, point.at, leavingTolerance(instance, next.xyz, shutBy, point))) {
-                return true;
-            }
-            afterFilling = true;
-        }
+        bool isMet = walks && beyondEntry && beforeNext && isMember(instance, visitIndex, visit.zone);
+        isKept = isMet && isBeforeNext(next, point.at, leavingTolerance(instance, next.xyz, shutBy, point));
+        afterFilling = afterFilling || (isMet && !isKept);
         next = visit.entryPlane;
         shutBy = visit.shutBy;
         visitIndex = visit.parent;
-    }
-    return false;
+    } while (!isKept && visitIndex < frame.visitCount);
+    return isKept;
 }

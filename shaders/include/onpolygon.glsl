@@ -190,13 +190,13 @@ vec2 uvOnPolygon() {
 // reached through the back of the wall beyond that edge belongs to a cell that the ray is not in. It is moved behind
 // that wall, so that the ray's own cell shows instead. Yields the added distance along the ray. The width of the zone
 // affected follows from the flatness of the cell's polygons (world::MeshVertex): 1 / length of the stored wall vector.
-// Shells are placed untransformed, so facets need no turning. Shells only; see stretchOver for the loop. NO_SHELLS: programs
-// without shells leave it out, because a software driver executes the body of a loop once even if it has no turn.
+// Shells are placed untransformed, so facets need no turning. Shells only: programs without shells leave it out (NO_SHELLS).
 float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
     float farther = 0.0;
 #ifndef NO_SHELLS
-    uint edges = isShell ? 3u : 0u;
-    for (uint i = 0u; i < edges; ++i) {
+    uint edges = isShell ? 3u : 1u;
+    uint i = 0u;
+    do {
         vec3 wall = neighbourAt(vTriangle + i);
         float perMetre = length(wall);
         // distance of the eye behind the wall; in its plane the eye may be in an opening
@@ -204,10 +204,11 @@ float behindNeighbours(bool isShell, vec3 at, vec3 direction) {
         float before = dot(wall, at) - height;
         // At an edge that juts into the cell the triangle is behind the wall, as a reveal is: it hides nothing.
         bool isInCorner = dot(wall, vCorners[(i + 2u) % 3u]) > height;
-        if (isInCorner && height > kEyeInPlane * perMetre && abs(before) < 1.0) {
+        if (isShell && isInCorner && height > kEyeInPlane * perMetre && abs(before) < 1.0) {
             farther = max(farther, 2.0 / max(dot(wall, direction), 0.1 * perMetre));
         }
-    }
+        ++i;
+    } while (i < edges); // at the end: see walkChain in gate.glsl
 #endif
     return farther;
 }

@@ -36,12 +36,14 @@ EdgeSide edgeSide(vec2 from, vec2 to) {
 bool isOverOutline(uint count, vec2 window) {
     bool inside = false;
     vec2 from = acrossRay(cornerOnScreen(count - 1u), window);
-    for (uint i = 0u; i < count; ++i) {
+    uint i = 0u;
+    do {
         vec2 to = acrossRay(cornerOnScreen(i), window);
         EdgeSide edge = edgeSide(from, to);
         inside = inside != (edge.crosses && edge.isRight);
         from = to;
-    }
+        ++i;
+    } while (i < count); // at the end: see walkChain in gate.glsl
     return inside;
 }
 

@@ -50,22 +50,26 @@ uint ofAllFour(uint bits) {
     return bits | uint(own + towards.y * dFdyFine(own) + 0.5);
 }
 
+// 0: the base, which has no map.
 uvec2 layerAt(uint i) {
-    uvec2 layer = i == 0u ? vLayers[0].zw : vLayers[1].xy;
-    layer = i == 2u ? vLayers[1].zw : layer;
-    layer = i == 3u ? vLayers[2].xy : layer;
-    return i == 4u ? vLayers[2].zw : layer;
+    uvec2 layer = i == 0u ? vLayers[0].xy : vLayers[0].zw;
+    layer = i == 2u ? vLayers[1].xy : layer;
+    layer = i == 3u ? vLayers[1].zw : layer;
+    layer = i == 4u ? vLayers[2].xy : layer;
+    return i == 5u ? vLayers[2].zw : layer;
 }
 
 // Blends only the layers that show in the pixel's part of the cell. Other pixels of the same triangle may sample another
 // layer in the same turn, so these layers have one page for their textures and one for their maps (PackedTerrain.h).
 // `uv`: v downwards.
 vec3 blendedPacked(vec2 uv) {
-    vec3 colour = packedColour(vLayers[0].xy, uv);
+    vec3 colour = vec3(0.0);
     vec3 road = vec3(0.0);
     float roadKeeps = 1.0;
-    for (uint rest = ofAllFour(shownAt(uv)); rest != 0u; rest &= rest - 1u) {
+    uint rest = ofAllFour(shownAt(uv)) << 1u | 1u; // the base first
+    do {
         uvec2 layer = layerAt(uint(findLSB(rest)));
+        rest &= rest - 1u;
         vec3 painted = packedColour(layer, uv);
         float keeps = packedTexels(layer.y, turned(uv - 0.5, layer.y >> kPackedTurns) + 0.5).a;
         keeps = (layer.y & kPackedMap) != 0u ? keeps : 0.0;
@@ -73,7 +77,7 @@ vec3 blendedPacked(vec2 uv) {
         colour = isRoad ? colour : mix(painted, colour, keeps);
         road = isRoad ? painted : road;
         roadKeeps *= isRoad ? keeps : 1.0;
-    }
+    } while (rest != 0u); // at the end: see walkChain in gate.glsl
     return mix(road, colour, roadKeeps);
 }
 
@@ -116,20 +120,21 @@ vec3 blendedTerrain(uint cell, CellUv uv) {
     vec3 colour = vec3(1.0);
     vec3 road = vec3(0.0);
     float roadKeeps = 1.0; // two road maps form one road: texels that both keep remain
-    for (uint i = 0u; i < count; ++i) {
+    uint i = 0u;
+    do {
         TerrainLayer layer = terrainLayerAt(first + i);
-        if (layer.texture == kNoTexture) {
-            continue;
+        if (layer.texture != kNoTexture) {
+            vec3 painted = layerColour(layer, uv);
+            float keeps = i == 0u ? 0.0 : keptUnder(layer, uv);
+            if (i < kFirstRoad) {
+                colour = mix(painted, colour, keeps);
+            } else {
+                road = i == kFirstRoad ? painted : road;
+                roadKeeps *= keeps;
+            }
         }
-        vec3 painted = layerColour(layer, uv);
-        float keeps = i == 0u ? 0.0 : keptUnder(layer, uv);
-        if (i < kFirstRoad) {
-            colour = mix(painted, colour, keeps);
-        } else {
-            road = i == kFirstRoad ? painted : road;
-            roadKeeps *= keeps;
-        }
-    }
+        ++i;
+    } while (i < count); // at the end: see walkChain in gate.glsl
     return mix(road, colour, roadKeeps);
 }
 

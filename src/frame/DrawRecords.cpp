@@ -75,6 +75,14 @@ gpu::DrawRecord DrawRecords::of(std::uint32_t instance) const {
     return record;
 }
 
+std::uint64_t DrawRecords::visitsTo(std::uint32_t instance, const VisitBits& visits) const {
+    const gpu::Instance& drawn = at(replaced(instance));
+    std::uint64_t bits = 0;
+    for (std::uint32_t i = 0; i < gpu::memberCountOf(drawn); ++i)
+        bits |= visits.of(member(drawn.firstMember + i).zone);
+    return bits;
+}
+
 void DrawRecords::place(const gpu::Instance& instance, gpu::DrawRecord& record) const {
     const gpu::vec4 &a = instance.pose0, &b = instance.pose1, &c = instance.pose2;
     // The offset from the eye in two floats. Near the eye, the sum of the first with a coordinate is exact.

@@ -2,6 +2,7 @@
 
 #include "frame/FramePlan.h"
 #include "frame/SceneUpload.h"
+#include "frame/VisitBits.h"
 #include "geometry/Vec.h"
 
 #include <span>
@@ -38,6 +39,8 @@ public:
     [[nodiscard]] bool hasLamps(std::uint32_t instance) const;
     /// The record of an instance, or of the instance that replaces it in this frame.
     [[nodiscard]] gpu::DrawRecord of(std::uint32_t instance) const;
+    /// The visits to the zones that an instance belongs to.
+    [[nodiscard]] std::uint64_t visitsTo(std::uint32_t instance, const VisitBits& visits) const;
 
 private:
     /// The number of the instance that draws an instance in this frame.

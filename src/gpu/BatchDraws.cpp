@@ -18,6 +18,7 @@ ProgramVariant variantOf(const frame::Batch& batch, const FrameKind& frame) {
             .pixelLamps = frame.pixelLamps,
             .ids = frame.options.wantIds,
             .clipped = frame.clipped,
+            .memberLists = frame.manyVisits,
             .shells = batch.shells};
 }
 

@@ -19,6 +19,7 @@ struct FrameKind {
     bool grainedMeshes = false, grainedLand = false; ///< detail pictures
     bool pixelLamps = false;                         ///< lamps light walls in fragments
     bool clipped = false;                            ///< FramePlan::clips
+    bool manyVisits = false;                         ///< more than frame::VisitBits has bits for
     RenderOptions options{};
 };
 

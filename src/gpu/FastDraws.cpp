@@ -14,6 +14,11 @@ bool isOfSky(const layout::DrawPiece& piece) {
     return (piece.triangles & layout::kNeverCulled) != 0;
 }
 
+void setVisits(std::uint64_t visits, layout::DrawRecord& record) {
+    record.members.x = static_cast<std::uint32_t>(visits);
+    record.members.y = static_cast<std::uint32_t>(visits >> 32) | layout::kGated;
+}
+
 /// The other batch of opaque surfaces of a stage, walls or not, if both take the same gate; else kAlone.
 constexpr std::size_t kAlone = std::numeric_limits<std::size_t>::max();
 std::size_t partnerOf(const frame::FramePlan& plan, const frame::Stage& stage, std::size_t batch) {
@@ -91,6 +96,9 @@ void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& t
     LIMEN_ASSERT(commands.size() == draws_.size() && records.size() == draws_.size(),
                  "a record for each slot");
     const frame::DrawRecords makes(tables, plan, own_);
+    const bool hasBits = frame::VisitBits::suffice(plan);
+    if (hasBits)
+        visits_.prepare(plan);
     std::uint32_t last = 0xFFFFFFFFu;
     layout::DrawRecord record;
     for (std::uint32_t slot = 0; slot < draws_.size(); ++slot) {
@@ -108,6 +116,8 @@ void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& t
         records[slot] = record;
         if (!draws_[slot].gated)
             records[slot].members.y = 0;
+        else if (hasBits)
+            setVisits(makes.visitsTo(last, visits_), records[slot]);
     }
 }
 

@@ -37,6 +37,7 @@ private:
     std::vector<Draw> draws_;               ///< by slot
     std::vector<Draw> second_;              ///< of the batch being added
     std::vector<frame::gpu::Instance> own_; ///< the plan's instances
+    frame::VisitBits visits_;
 };
 
 } // namespace limen::gpu

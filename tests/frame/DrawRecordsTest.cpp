@@ -51,6 +51,39 @@ TEST(DrawRecords, placeAnInstanceAsItsPoseDoes_whereverTheEyeIs) {
     }
 }
 
+/// The visits of a plan to the zones of a static instance, a bit each.
+std::uint64_t visitsToZonesOf(const PlannedWorld& planned, const frame::FramePlan& plan,
+                              std::uint32_t number) {
+    const world::Instance& instance = planned.world.instances[number];
+    std::uint64_t bits = 0;
+    for (std::uint32_t visit = 0; visit < plan.constants.visitCount; ++visit)
+        for (std::uint32_t m = 0; m < instance.memberCount; ++m)
+            if (planned.world.spaces[planned.world.members[instance.firstMember + m]].zone ==
+                plan.visits[visit].zone)
+                bits |= std::uint64_t{1} << visit;
+    return bits;
+}
+
+TEST(DrawRecords, haveABitForEachVisitToTheirZones) {
+    Recorded source;
+    PlannedWorld planned(source.rooms.world);
+    const world::SpaceIndex first = world::findCell(planned.world, source.rooms.world.id(source.rooms.first));
+    const frame::RecordTables tables = frame::tablesOf(frame::buildScene(planned.scene));
+    frame::VisitBits visits; // reused: nothing of the plan before is left
+    std::set<std::uint64_t> found;
+    for (const double yaw : {0.0, 180.0}) {
+        const frame::FramePlan& plan = planned.planFrom({92, 91, 1.5}, yaw, first);
+        visits.prepare(plan);
+        const frame::DrawRecords records(tables, plan, {});
+        for (std::uint32_t i = 0; i < planned.world.instances.size(); ++i) {
+            const std::uint64_t bits = records.visitsTo(i, visits);
+            EXPECT_EQ(bits, visitsToZonesOf(planned, plan, i)) << i;
+            found.insert(bits);
+        }
+    }
+    EXPECT_GE(found.size(), 4u) << "none, and each of three visits";
+}
+
 TEST(DrawRecords, drawTheLevelsThatTheWorldDraws) {
     Recorded source;
     PlannedWorld planned(source.rooms.world);

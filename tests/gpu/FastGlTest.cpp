@@ -74,6 +74,35 @@ TEST_F(FastGlTest, showsTheSameSurfaces_depthAndOwners) {
             EXPECT_NEAR(both.fast.depth[i], both.exact.depth[i], 1e-5f * both.exact.depth[i]) << i;
 }
 
+/// Openings side by side that fill the picture, each into a zone of its own, with a picture of that zone, and one that
+/// belongs to it and to the zone after it.
+SceneBuilder row(std::uint32_t openings) {
+    SceneBuilder scene;
+    scene.root(1);
+    const float wide = 8.0f / static_cast<float>(openings);
+    for (std::uint32_t i = 0; i < openings; ++i) {
+        const float left = -4.0f + wide * static_cast<float>(i);
+        scene.visitThrough({left, -4}, {left + wide, 4}, 4, 2 + i, 0);
+    }
+    for (std::uint32_t i = 0; i < openings; ++i) {
+        scene.addWall(1000 + i, {-9, 0}, {9, 9}, 5, {.members = {{2 + i, 0}}, .gated = true});
+        scene.addWall(2000 + i, {-9, -9}, {9, 0}, 5 + 0.01f * static_cast<float>(i % 2),
+                      {.members = {{2 + i, 0}, {3 + i, 0}}, .gated = true});
+    }
+    return scene;
+}
+
+// Up to frame::gpu::kMostVisitBits visits have a bit each in the records of draws; more have lists of members.
+TEST_F(FastGlTest, showsTheSameSurfacesForAnyNumberOfVisits) {
+    for (const std::uint32_t visits : {2u, 33u, layout::kMostVisitBits, layout::kMostVisitBits + 1, 100u}) {
+        SceneBuilder scene = row(visits - 1);
+        const Both both = drawBoth(scene, 256);
+        EXPECT_EQ(both.fast.ids, both.exact.ids) << visits;
+        const std::set<std::uint32_t> shown(both.exact.ids.begin(), both.exact.ids.end());
+        EXPECT_GE(shown.size(), 1.5 * (visits - 1)) << "every opening shows its own zone";
+    }
+}
+
 TEST_F(FastGlTest, showsTheSameColours) {
     SceneBuilder scene = rooms();
     for (const bool ids : {true, false}) {

@@ -9,7 +9,7 @@ protected:
     /// The variants that `Programs::create` does not build.
     static void buildVariants(Programs& programs) {
         for (std::size_t program = 0; program < frame::kProgramCount; ++program) {
-            for (unsigned bits = 0; bits < 512; ++bits) {
+            for (unsigned bits = 0; bits < 1024; ++bits) {
                 if ((bits & 129) == 129)
                     continue; // clipped programs have no ownership test
                 const ProgramVariant variant{.gated = (bits & 1) != 0,
@@ -20,6 +20,7 @@ protected:
                                              .pixelLamps = (bits & 64) != 0,
                                              .ids = (bits & 16) != 0,
                                              .clipped = (bits & 128) != 0,
+                                             .memberLists = (bits & 512) != 0,
                                              .shells = (bits & 256) == 0};
                 const Result<void> made = programs.prepare(static_cast<frame::Program>(program), variant);
                 EXPECT_TRUE(made) << made.error().message();

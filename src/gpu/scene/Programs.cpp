@@ -43,6 +43,7 @@ bool hasPixelLampVariant(Drawing drawing, frame::Program program, ProgramVariant
 
 /// The programs of lit frames, which are built before they are used. Others are built when a frame needs them.
 constexpr std::size_t kBuiltPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
+constexpr std::size_t kBuiltVariants = 3; // without the ownership test, with it, with it and lists of members
 
 struct Shaders {
     const char* name;
@@ -75,6 +76,11 @@ Shaders shadersOf(Drawing drawing, frame::Program program) {
         return {"fence", "ownership.vert", "opening.frag"};
     }
     return {"", "", ""};
+}
+
+bool hasListVariant(Drawing drawing, frame::Program program, ProgramVariant variant) {
+    return drawing == Drawing::Fast && variant.gated && hasGatedVariant(drawing, program) &&
+           program != frame::Program::SkyPlain && program != frame::Program::SkyObjects;
 }
 
 /// Exact programs do more for shells (onpolygon.glsl). The ground is none in any variant.
@@ -128,6 +134,8 @@ ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVari
         vary("pixel lamps", "PIXEL_LAMPS");
     if (hasClippedVariant(program) && variant.clipped)
         vary("clipped", "CLIPPED");
+    if (hasListVariant(drawing, program, variant) && variant.memberLists)
+        vary("member lists", "MEMBER_LISTS");
     if (program == frame::Program::Terrain || (hasShellVariant(drawing, program) && !variant.shells))
         vary("without shells", "NO_SHELLS");
     if (program == frame::Program::Stamp)
@@ -169,12 +177,15 @@ Result<Programs> Programs::create(Device& device, Drawing drawing, const SceneBi
 }
 
 Result<bool> Programs::buildNext(std::size_t& bytes) {
-    for (; built_ < 2 * kBuiltPrograms; ++built_) {
-        const auto program = static_cast<frame::Program>(built_ / 2);
+    for (; built_ < kBuiltVariants * kBuiltPrograms; ++built_) {
+        const auto program = static_cast<frame::Program>(built_ / kBuiltVariants);
+        const std::size_t number = built_ % kBuiltVariants;
         const bool grained =
             program == frame::Program::Terrain ? textures_.grainedLand : textures_.grainedMeshes;
-        const ProgramVariant variant{
-            .gated = built_ % 2 == 1, .details = grained, .ids = drawing_ == Drawing::Exact};
+        const ProgramVariant variant{.gated = number > 0,
+                                     .details = grained,
+                                     .ids = drawing_ == Drawing::Exact,
+                                     .memberLists = number == 2};
         if (has(program, variant))
             continue;
         if (bytes == 0)
@@ -199,7 +210,9 @@ std::size_t Programs::indexOf(frame::Program program, ProgramVariant variant) co
     const std::size_t pixel = hasPixelLampVariant(drawing_, program, variant) && variant.pixelLamps ? 64 : 0;
     const std::size_t clipped = hasClippedVariant(program) && variant.clipped ? 128 : 0;
     const std::size_t shells = hasShellVariant(drawing_, program) && !variant.shells ? 256 : 0;
-    return shells + gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps + details + pixel + clipped;
+    const std::size_t lists = hasListVariant(drawing_, program, variant) && variant.memberLists ? 512 : 0;
+    return lists + shells + gated + flat + (variant.multisampled ? 4 : 0) + ids + lamps + details + pixel +
+           clipped;
 }
 
 Result<void> Programs::prepare(frame::Program program, ProgramVariant variant) {

@@ -17,7 +17,9 @@ struct ProgramVariant {
     bool pixelLamps = false;   ///< lamps light walls in fragments; of Drawing::Fast only with `lamps`
     bool ids = true;           ///< with ids; without effect on Drawing::Exact, whose programs all have them
     bool clipped = false;      ///< with clip distances and without the ownership test
-    bool shells = true;        ///< draws may be shells of cells; without effect on Drawing::Fast
+    bool memberLists =
+        false;          ///< of gated programs of Drawing::Fast: for more visits than frame::VisitBits has
+    bool shells = true; ///< draws may be shells of cells; without effect on Drawing::Fast
 };
 
 /// Whether a program draws voids: the gated plain sky of the fast way does, and nothing else (voids.frag).
@@ -60,7 +62,7 @@ public:
 
 private:
     static constexpr std::size_t kPrograms = frame::kProgramCount;
-    static constexpr std::size_t kVariants = 512;
+    static constexpr std::size_t kVariants = 1024;
     [[nodiscard]] bool has(frame::Program program, ProgramVariant variant) const;
     [[nodiscard]] std::size_t indexOf(frame::Program program, ProgramVariant variant) const;
 
@@ -69,7 +71,7 @@ private:
     SceneBindings textures_;
     std::vector<std::string> defines_;
     std::array<std::array<ProgramHandle, kVariants>, kPrograms> handles_{};
-    std::size_t built_ = 0; ///< number of programs of lit frames built, two variants each
+    std::size_t built_ = 0; ///< number of programs of lit frames built, some variants each
 };
 
 } // namespace limen::gpu
