@@ -23,7 +23,7 @@ const ivec2 kAround[kNeighbours] = ivec2[](ivec2(-1, 0), ivec2(1, 0), ivec2(0, -
 
 // Fills `isVoid` pixels from a neighbour that has a surface. This draw writes no such neighbour. Its depth tells it from
 // another void, whichever of the two is drawn first. The loop has no turn for a pixel of the sky: drivers that execute every
-// branch for all pixels still leave a loop early.
+// branch for all pixels then execute its body once.
 void fill(bool isVoid) {
     ivec2 last = textureSize(drawnDepth, 0) - 1;
     int i = isVoid ? 0 : kNeighbours;

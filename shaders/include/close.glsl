@@ -1,6 +1,6 @@
 // Triangles close to the eye, in double. A float corner a few metres away is a few ten-millionths of a metre off. Seen
 // from a tenth of a millimetre beside an edge, that is several pixels. Only triangles that isClose() selects are
-// computed so, in loops that have no turn for others: drivers that execute every branch still leave a loop early.
+// computed so, in loops that have no turn for others: drivers that execute every branch execute their bodies once.
 //
 #include "Tolerances.h"
 #include "buffers.glsl"

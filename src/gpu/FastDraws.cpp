@@ -96,7 +96,7 @@ void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& t
     LIMEN_ASSERT(commands.size() == draws_.size() && records.size() == draws_.size(),
                  "a record for each slot");
     const frame::DrawRecords makes(tables, plan, own_);
-    const bool hasBits = frame::VisitBits::suffice(plan);
+    const bool hasBits = !listsMembers(plan);
     if (hasBits)
         visits_.prepare(plan);
     std::uint32_t last = 0xFFFFFFFFu;

@@ -17,6 +17,10 @@ public:
     /// Assigns slots to the plan's indexed draws. `tables`: of the scene that the plan was made for.
     void prepare(const frame::FramePlan& plan, const RenderOptions& options,
                  const frame::RecordTables& tables);
+    /// Whether draws with the ownership test have lists of members, because the plan has more visits than bits.
+    [[nodiscard]] static bool listsMembers(const frame::FramePlan& plan) {
+        return !frame::VisitBits::suffice(plan);
+    }
     [[nodiscard]] std::uint32_t slotCount() const { return static_cast<std::uint32_t>(draws_.size()); }
     [[nodiscard]] const BatchSlots& slotsOf(std::size_t batch) const { return slots_[batch]; }
     /// Writes the commands and records of all slots into the frame's ring memory. Arguments as in `prepare`.

@@ -2,7 +2,6 @@
 
 #include "core/Assert.h"
 #include "frame/IdColour.h"
-#include "frame/VisitBits.h"
 #include "gpu/BatchDraws.h"
 #include "gpu/DrawCulling.h"
 #include "gpu/FastDraws.h"
@@ -239,7 +238,7 @@ FrameKind Renderer::kindOf(const frame::FramePlan& plan, const RenderTarget& tar
             .grainedLand = tiling[layout::kDetailOfLand] > 0,
             .pixelLamps = (plan.constants.flags & layout::kFramePixelLamps) != 0,
             .clipped = plan.clips,
-            .manyVisits = !frame::VisitBits::suffice(plan),
+            .manyVisits = FastDraws::listsMembers(plan),
             .options = options};
 }
 
