@@ -32,7 +32,7 @@ EdgeSide edgeSide(vec2 from, vec2 to) {
 
 // Whether the ray's line passes over the outline: parity of the edges that cross the half-line to its right. Two
 // polygons with a common edge evaluate the same expression for it, with its ends in the same order, so no ray passes
-// between them.
+// between them. `count`: at least 1.
 bool isOverOutline(uint count, vec2 window) {
     bool inside = false;
     vec2 from = acrossRay(cornerOnScreen(count - 1u), window);

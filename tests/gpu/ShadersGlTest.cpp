@@ -43,6 +43,25 @@ TEST_F(ShadersGlTest, everyVariantBuilds) {
     }
 }
 
+// `get` requires that a program is there.
+TEST_F(ShadersGlTest, programsOfLitFramesAreBuiltAtOnce) {
+    const TextureBinding pages{false, 1};
+    for (const Drawing drawing : {Drawing::Exact, Drawing::Fast}) {
+        const bool isExact = drawing == Drawing::Exact;
+        Result<Programs> programs = Programs::create(*device_, drawing, {pages, pages});
+        ASSERT_TRUE(programs) << programs.error().message();
+        for (const frame::Program program : {frame::Program::Opaque, frame::Program::CutOut,
+                                             frame::Program::Terrain, frame::Program::Blended})
+            for (const bool gated : {false, true})
+                for (const bool changed : {false, true})
+                    EXPECT_NE(programs->get(program, {.gated = gated,
+                                                      .ids = isExact,
+                                                      .memberLists = !isExact && gated && changed,
+                                                      .shells = !(isExact && changed)}),
+                              ProgramHandle::Invalid);
+    }
+}
+
 TEST_F(ShadersGlTest, failureNamesFileLineAndDriver) {
     ProgramSource source =
         programSource(Drawing::Exact, frame::Program::Opaque, {.gated = true}, {false, 1, {0}});

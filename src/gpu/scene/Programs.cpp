@@ -43,7 +43,12 @@ bool hasPixelLampVariant(Drawing drawing, frame::Program program, ProgramVariant
 
 /// The programs of lit frames, which are built before they are used. Others are built when a frame needs them.
 constexpr std::size_t kBuiltPrograms = static_cast<std::size_t>(frame::Program::Blended) + 1;
-constexpr std::size_t kBuiltVariants = 3; // without the ownership test, with it, with it and lists of members
+/// The variants of each. Where a program lacks one, it is the same as an earlier one.
+constexpr std::array<ProgramVariant, 5> kBuiltVariants{{{.gated = false},
+                                                        {.gated = true},
+                                                        {.gated = true, .memberLists = true},
+                                                        {.gated = false, .shells = false},
+                                                        {.gated = true, .shells = false}}};
 
 struct Shaders {
     const char* name;
@@ -136,8 +141,10 @@ ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVari
         vary("clipped", "CLIPPED");
     if (hasListVariant(drawing, program, variant) && variant.memberLists)
         vary("member lists", "MEMBER_LISTS");
-    if (program == frame::Program::Terrain || (hasShellVariant(drawing, program) && !variant.shells))
+    if (hasShellVariant(drawing, program) && !variant.shells)
         vary("without shells", "NO_SHELLS");
+    if (!fast && program == frame::Program::Terrain)
+        source.defines.emplace_back("NO_SHELLS");
     if (program == frame::Program::Stamp)
         source.defines.emplace_back("AT_FAR");
     if (variant.multisampled)
@@ -177,15 +184,12 @@ Result<Programs> Programs::create(Device& device, Drawing drawing, const SceneBi
 }
 
 Result<bool> Programs::buildNext(std::size_t& bytes) {
-    for (; built_ < kBuiltVariants * kBuiltPrograms; ++built_) {
-        const auto program = static_cast<frame::Program>(built_ / kBuiltVariants);
-        const std::size_t number = built_ % kBuiltVariants;
-        const bool grained =
+    for (; built_ < kBuiltVariants.size() * kBuiltPrograms; ++built_) {
+        const auto program = static_cast<frame::Program>(built_ / kBuiltVariants.size());
+        ProgramVariant variant = kBuiltVariants[built_ % kBuiltVariants.size()];
+        variant.details =
             program == frame::Program::Terrain ? textures_.grainedLand : textures_.grainedMeshes;
-        const ProgramVariant variant{.gated = number > 0,
-                                     .details = grained,
-                                     .ids = drawing_ == Drawing::Exact,
-                                     .memberLists = number == 2};
+        variant.ids = drawing_ == Drawing::Exact;
         if (has(program, variant))
             continue;
         if (bytes == 0)

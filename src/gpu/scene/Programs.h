@@ -71,7 +71,7 @@ private:
     SceneBindings textures_;
     std::vector<std::string> defines_;
     std::array<std::array<ProgramHandle, kVariants>, kPrograms> handles_{};
-    std::size_t built_ = 0; ///< number of programs of lit frames built, some variants each
+    std::size_t built_ = 0; ///< number of programs of lit frames built, by program and variant
 };
 
 } // namespace limen::gpu
