@@ -12,6 +12,9 @@ layout(location = kVaryingVisit) flat out uint vVisit;
 layout(location = kVaryingOpening) flat out uvec3 vOpening; // first vertex of the fan, number of corners (0: none), clip set
 layout(location = kVaryingPlane) flat out vec4 vPlane;    // the opening's: dot(vPlane.xyz, p) = vPlane.w
 layout(location = kVaryingCovers) flat out uint vCovers;   // 1: drawn around the whole window
+#ifdef FAST
+layout(location = kVaryingClip) flat out uvec3 vClip; // coverage.glsl
+#endif
 
 uvec3 opening = uvec3(0u);
 vec4 plane = vec4(0.0); // vPlane
@@ -19,6 +22,12 @@ vec4 plane = vec4(0.0); // vPlane
 #include "grow.glsl"
 
 const float kNearest = 1.0e-4; // metres: an opening may be at any distance
+
+#ifdef FAST
+uvec3 clipOf(OwnershipVertex corner) {
+    return uvec3(corner.clipSet, corner.clipEdges, corner.clipSet == 0u ? 1u : corner.clipEdges + 1u);
+}
+#endif
 
 // The plane of the flood. The outline alone does not give it: corners may be off one plane by more than the eye.
 vec4 planeOfVisit(uint visit) {
@@ -92,6 +101,13 @@ void main() {
     }
     vPlane = plane;
     vCovers = (corner.outlineCount & kCoverWindow) != 0u ? 1u : 0u;
+#ifdef FAST
+    vClip = clipOf(corner);
+    if ((corner.outlineCount & kOnScreen) != 0u) {
+        gl_Position = vec4(corner.position.xy, 0.0, corner.position.z);
+        return;
+    }
+#endif
     if (vCovers != 0u) {
         gl_Position = everywhere(min(part, 3u));
         return;

@@ -334,18 +334,20 @@ LIMEN_STRUCT(LightSet) {
 
 // One corner of the ownership stage's triangles, in tree order. An opening is a triangle fan around its middle; each
 // triangle has the middle and two corners of the outline. With kCoverWindow the fan is drawn as one triangle around the
-// window, and outline and clip set decide per fragment; without an outline the clip set alone.
+// window, and outline and clip set decide per fragment; without an outline the clip set alone. With kOnScreen it is a
+// region of the flood, and the rasteriser's coverage decides.
 LIMEN_CONST kCoverWindow = 0x80000000u;
+LIMEN_CONST kOnScreen = 0x40000000u;
 LIMEN_STRUCT(OwnershipVertex) {
-    vec3 position LIMEN_ZERO; // block-local
+    vec3 position LIMEN_ZERO; // block-local; with kOnScreen (x, y, w), in clip coordinates
     uint block LIMEN_ZERO;
     uint visit LIMEN_ZERO;
     uint clipSet LIMEN_ZERO;
     uint outlineFirst LIMEN_ZERO; // the fan's first vertex
     uint outlineCount
-        LIMEN_ZERO;       // corners of the outline, which is also the fan's triangles; and kCoverWindow
+        LIMEN_ZERO;       // corners of the outline, which is also the fan's triangles; kCoverWindow; kOnScreen
     vec3 rest LIMEN_ZERO; // exact corner minus `position`
-    uint reserved0 LIMEN_ZERO;
+    uint clipEdges LIMEN_ZERO; // planes of the clip set in use before its last; 1 for set 0, which keeps everything
 };
 
 // Triangles of one instance: drawn by one draw command, culled by one work group. One vector, because software drivers
@@ -401,6 +403,7 @@ LIMEN_STRUCT(SlotGroup) {
 // Eight half-spaces, eye-relative. Inside: dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.
 // Unused ones are (0,0,0,1). In plans that clip (FramePlan::clips) they are lines on the screen: p is (x, y, w) in clip
 // space, the planes become clip distances, and the first set has no lines.
+LIMEN_CONST kLastClipPlane = 7u;
 LIMEN_STRUCT(ClipSet) {
     vec4 planes[8] LIMEN_ZERO;
 };

@@ -34,6 +34,7 @@ const uint kVaryingVisit = 0u; // ownership.vert
 const uint kVaryingOpening = 1u;
 const uint kVaryingPlane = 2u;
 const uint kVaryingCovers = 3u;
+const uint kVaryingClip = 4u;
 
 const uint kVaryingSkyUv = 0u; // skyobjects.vert
 const uint kVaryingSkyInstance = 1u;

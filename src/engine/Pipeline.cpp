@@ -77,7 +77,8 @@ void Pipeline::plan(const frame::FrameView& view) {
                  "the flood was from this view");
     frame::FrameView planned = view;
     planned.gate = gate_;
-    planned.fewTests = planned.fillsVoids = renderer_.options().drawing == gpu::Drawing::Fast;
+    planned.fewTests = planned.fillsVoids = planned.coverageDecides =
+        renderer_.options().drawing == gpu::Drawing::Fast;
     planned.details &= view.look == world::Look::Enhanced || renderer_.choices().details;
     part_->planner.plan(planned, state_.dynamics, state_.visible, state_.plan);
     isPlanned_ = true;

@@ -50,6 +50,9 @@ struct FrameView {
     /// Every frame with several visits has a batch of the plain sky, whose first draw fills voids (voids.frag). The
     /// objects of the sky then take no ownership test.
     bool fillsVoids = false;
+    /// The rasteriser's coverage decides the outlines of openings: no fragment tests edges. Openings near the eye are
+    /// then drawn as the flood's regions.
+    bool coverageDecides = false;
     world::Look look = world::Look::Retail;
     bool details = true;       ///< draw the detail pictures that the look has
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth

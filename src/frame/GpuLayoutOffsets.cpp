@@ -53,7 +53,7 @@ static_assert(offsetof(OwnershipVertex, position) == 0 && offsetof(OwnershipVert
               offsetof(OwnershipVertex, visit) == 16 && offsetof(OwnershipVertex, clipSet) == 20 &&
               offsetof(OwnershipVertex, outlineFirst) == 24 &&
               offsetof(OwnershipVertex, outlineCount) == 28 && offsetof(OwnershipVertex, rest) == 32 &&
-              offsetof(OwnershipVertex, reserved0) == 44);
+              offsetof(OwnershipVertex, clipEdges) == 44);
 static_assert(offsetof(ClipSet, planes) == 0);
 static_assert(offsetof(SkyInstance, row0) == 0 && offsetof(SkyInstance, row1) == 16 &&
               offsetof(SkyInstance, row2) == 32 && offsetof(SkyInstance, firstMaterial) == 48 &&

@@ -14,13 +14,17 @@ namespace {
 constexpr double kNearOpening = 0.05;
 
 /// Edges of a clip set, whose last plane is the entry plane: GL guarantees eight clip distances.
-constexpr std::size_t kEdgesPerSet = 7;
+constexpr std::size_t kEdgesPerSet = gpu::kLastClipPlane;
+
+/// Pixels. More than the rasteriser's snapping, the growth of edges and the rounding of floats together.
+constexpr double kWellInside = 2.0;
 
 } // namespace
 
-bool OpeningTriangles::isNear(const world::Portal& portal) const {
+bool OpeningTriangles::isNear(const visibility::Visit& visit) const {
     if (!frame_.rules.nearOpening)
         return false;
+    const world::Portal& portal = world_.portals[visit.portal];
     const Vec3& eye = frame_.view.eye;
     const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
     return std::abs(portal.plane.signedDistance(eye)) < kNearOpening &&
@@ -46,35 +50,61 @@ void OpeningTriangles::drawWithin(std::uint32_t visit, std::span<const Vec3> reg
     for (std::size_t first = 1; first + 1 < region.size(); first += kEdgesPerSet - 2) {
         const std::size_t last = std::min(first + kEdgesPerSet - 2, region.size() - 1);
         gpu::ClipSet clip = openClipSet();
-        std::size_t slot = 0;
-        clip.planes[slot++] = edgePlane(region[0], region[first], first == 1 ? by.growth : kGrowth);
+        Clipping clipping{static_cast<std::uint32_t>(plan_.clipSets.size()), 0};
+        const auto cut = [&](const Vec3& from, const Vec3& to, double growth) {
+            const gpu::vec4 edge = edgePlane(from, to, growth);
+            if (!frame_.coverageDecides || mayCut(edge, visit))
+                clip.planes[clipping.edges++] = edge;
+        };
+        cut(region[0], region[first], first == 1 ? by.growth : kGrowth);
         for (std::size_t i = first; i < last; ++i)
-            clip.planes[slot++] = edgePlane(region[i], region[i + 1], by.growth);
-        clip.planes[slot++] =
-            edgePlane(region[last], region[0], last + 1 == region.size() ? by.growth : kGrowth);
-        clip.planes[kEdgesPerSet] = by.plane;
+            cut(region[i], region[i + 1], by.growth);
+        cut(region[last], region[0], last + 1 == region.size() ? by.growth : kGrowth);
+        clip.planes[gpu::kLastClipPlane] = by.plane;
         plan_.clipSets.push_back(clip);
-        draw(visit, static_cast<std::uint32_t>(plan_.clipSets.size() - 1));
+        draw(visit, clipping);
     }
 }
 
-void OpeningTriangles::draw(std::uint32_t visit, std::uint32_t clipSet) {
+bool OpeningTriangles::mayCut(const gpu::vec4& edge, std::uint32_t visit) const {
     if (isEdgeOn(set_.visits[visit]))
-        drawEverywhere(visit, clipSet);
-    else
-        drawPortal(visit, clipSet);
+        return true; // it is drawn around the window
+    const double margin = kWellInside * 2.0 * frame_.view.tanHalfY / frame_.height; // radians, at least
+    const Vec3 normal(edge.x, edge.y, edge.z);
+    const auto polygon = polygonOf(world_, world_.portals[set_.visits[visit].portal]);
+    return std::any_of(polygon.begin(), polygon.end(), [&](const Vec3& corner) {
+        const Vec3 p = corner - frame_.view.eye;
+        return glm::dot(normal, p) < margin * glm::length(p);
+    });
 }
 
-void OpeningTriangles::drawEverywhere(std::uint32_t visit, std::uint32_t clipSet) {
+void OpeningTriangles::draw(std::uint32_t visit, const Clipping& by) {
+    if (isEdgeOn(set_.visits[visit]))
+        drawEverywhere(visit, by);
+    else
+        drawPortal(visit, by);
+}
+
+void OpeningTriangles::drawRegion(std::uint32_t visit) {
+    const auto region = set_.region(set_.visits[visit]);
+    const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
+    for (std::size_t i = 1; i + 1 < region.size(); ++i) {
+        for (const Vec3& corner : {region[0], region[i], region[i + 1]})
+            plan_.ownershipVertices.push_back(
+                {Vec3f(corner), 0, visit, 0, first, gpu::kOnScreen, Vec3f(0.0f), 1});
+    }
+}
+
+void OpeningTriangles::drawEverywhere(std::uint32_t visit, const Clipping& by) {
     const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
     plan_.ownershipVertices.insert(
         plan_.ownershipVertices.end(), 3,
-        {Vec3f(0.0f), 0, visit, clipSet, first, gpu::kCoverWindow, Vec3f(0.0f), 0});
+        {Vec3f(0.0f), 0, visit, by.set, first, gpu::kCoverWindow, Vec3f(0.0f), by.edges});
 }
 
 /// The portal polygon as a fan around its middle. Every edge of its outline is kept, divided at the same
 /// vertices as the edges of the walls.
-void OpeningTriangles::drawPortal(std::uint32_t visit, std::uint32_t clipSet) {
+void OpeningTriangles::drawPortal(std::uint32_t visit, const Clipping& by) {
     const world::Portal& portal = world_.portals[set_.visits[visit].portal];
     const Vec3 origin = world_.blocks[portal.block].origin();
     const auto polygon = std::span(world_.portalVertices).subspan(portal.firstVertex, portal.vertexCount);
@@ -82,11 +112,11 @@ void OpeningTriangles::drawPortal(std::uint32_t visit, std::uint32_t clipSet) {
     for (const Vec3& v : polygon)
         middle += (v - origin) / static_cast<double>(polygon.size());
     const auto first = static_cast<std::uint32_t>(plan_.ownershipVertices.size());
-    const std::uint32_t count = portal.vertexCount | (isNear(portal) ? gpu::kCoverWindow : 0u);
+    const std::uint32_t count = portal.vertexCount | (isNear(set_.visits[visit]) ? gpu::kCoverWindow : 0u);
     const auto corner = [&](const Vec3& local) {
         const TwoFloats parts = inTwoFloats(local); // the same split as in the walls' vertices
         plan_.ownershipVertices.push_back(
-            {parts.nearest, portal.block, visit, clipSet, first, count, parts.rest, 0});
+            {parts.nearest, portal.block, visit, by.set, first, count, parts.rest, by.edges});
     };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         corner(middle);

@@ -41,20 +41,30 @@ public:
     }
     /// A clip set that keeps everything.
     [[nodiscard]] static gpu::ClipSet openClipSet();
-    /// Draws the opening of a visit, clipped by a clip set of the plan. An opening whose plane contains the eye is
-    /// drawn around the window: its clip set must be its region.
-    void draw(std::uint32_t visit, std::uint32_t clipSet);
+    /// Draws the opening of a visit whole. Its plane must not contain the eye.
+    void draw(std::uint32_t visit) { draw(visit, Clipping{}); }
     /// Draws the opening of a visit within a region. A region with more edges than a clip set has is divided into
     /// fans around its first vertex, one draw each. The inner edges of the fans are always moved outwards, so that
     /// the fans overlap and leave no gap.
     void drawWithin(std::uint32_t visit, std::span<const Vec3> region, const Clip& by);
+    /// Draws the visit's region itself.
+    void drawRegion(std::uint32_t visit);
+    /// Whether the eye is so near the opening that the rasteriser does not find its edges.
+    [[nodiscard]] bool isNear(const visibility::Visit& visit) const;
 
 private:
-    [[nodiscard]] bool isNear(const world::Portal& portal) const;
+    /// A clip set, and how many of its edges are in use.
+    struct Clipping {
+        std::uint32_t set = 0, edges = 1;
+    };
+    /// False if all corners of the opening are two pixels inside of an edge, so that no fragment need test it.
+    [[nodiscard]] bool mayCut(const gpu::vec4& edge, std::uint32_t visit) const;
     /// The plane through the eye and one edge of a region, moved outwards by `growth` pixels, eye-relative.
     [[nodiscard]] gpu::vec4 edgePlane(const Vec3& a, const Vec3& b, double growth) const;
-    void drawEverywhere(std::uint32_t visit, std::uint32_t clipSet);
-    void drawPortal(std::uint32_t visit, std::uint32_t clipSet);
+    /// An opening whose plane contains the eye is drawn around the window: its clip set must be its region.
+    void draw(std::uint32_t visit, const Clipping& by);
+    void drawEverywhere(std::uint32_t visit, const Clipping& by);
+    void drawPortal(std::uint32_t visit, const Clipping& by);
 
     const world::World& world_;
     const FrameView& frame_;

@@ -26,7 +26,9 @@ public:
                 continue;
             // The region of these is smaller than the part of their outline within their parent's region.
             const bool byRegion = visit.split || OpeningTriangles::isEdgeOn(visit) || visit.narrowed;
-            if (byRegion) {
+            if (frame_.coverageDecides && (OpeningTriangles::isEdgeOn(visit) || openings_.isNear(visit))) {
+                openings_.drawRegion(i);
+            } else if (byRegion) {
                 // As the hole around it, which is painted before and clipped by the parent's region.
                 const double growth = visit.narrowed && frame_.rules.growth ? OpeningTriangles::kGrowth : 0.0;
                 openings_.drawWithin(i, set_.region(visit), {growth, {0, 0, 0, 1}});
@@ -36,7 +38,7 @@ public:
                     i, set_.region(parent),
                     {frame_.rules.growth ? OpeningTriangles::kGrowth : 0.0, planeFor(i, parent.entryPlane)});
             } else {
-                openings_.draw(i, 0);
+                openings_.draw(i);
             }
         }
     }

@@ -139,7 +139,7 @@ std::vector<SharedStruct> sharedStructs() {
          {MEMBER(OwnershipVertex, position), MEMBER(OwnershipVertex, block), MEMBER(OwnershipVertex, visit),
           MEMBER(OwnershipVertex, clipSet), MEMBER(OwnershipVertex, outlineFirst),
           MEMBER(OwnershipVertex, outlineCount), MEMBER(OwnershipVertex, rest),
-          MEMBER(OwnershipVertex, reserved0)}},
+          MEMBER(OwnershipVertex, clipEdges)}},
         {"PackedCell",
          sizeof(layout::PackedCell),
          {{"entries[0].layers[0]", offsetof(layout::PackedCell, layers)},

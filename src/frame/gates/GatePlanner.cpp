@@ -250,7 +250,7 @@ void GatePlanner::addOpenings(const Input& in, Order visits, Program program) {
         if (OpeningTriangles::isEdgeOn(visit))
             openings.drawWithin(i, in.set.region(visit), {});
         else
-            openings.draw(i, 0);
+            openings.draw(i);
     }
     const auto count = static_cast<std::uint32_t>(plan.ownershipVertices.size()) - first;
     plan.counts.ownershipTriangles += count / 3;
