@@ -345,9 +345,10 @@ LIMEN_STRUCT(OwnershipVertex) {
     uint clipSet LIMEN_ZERO;
     uint outlineFirst LIMEN_ZERO; // the fan's first vertex
     uint outlineCount
-        LIMEN_ZERO;       // corners of the outline, which is also the fan's triangles; kCoverWindow; kOnScreen
+        LIMEN_ZERO; // corners of the outline, which is also the fan's triangles; kCoverWindow; kOnScreen
     vec3 rest LIMEN_ZERO; // exact corner minus `position`
-    uint clipEdges LIMEN_ZERO; // planes of the clip set in use before its last; 1 for set 0, which keeps everything
+    uint clipEdges
+        LIMEN_ZERO; // planes of the clip set in use before its last; 1 for set 0, which keeps everything
 };
 
 // Triangles of one instance: drawn by one draw command, culled by one work group. One vector, because software drivers

@@ -24,12 +24,18 @@ namespace layout = frame::gpu;
 constexpr int kUploadAttempts = 3;
 
 // Asserts the conditions without which the GPU would read out of bounds or loop.
-void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces) {
+void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces, Drawing drawing) {
     LIMEN_ASSERT(plan.constants.visitCount > 0 && plan.visits.size() >= plan.constants.visitCount,
                  "a plan has at least the root visit");
-    for (const layout::OwnershipVertex& vertex : plan.ownershipVertices)
+    const bool coverageDecides = drawing == Drawing::Fast && plan.gate == frame::Gate::Ownership;
+    for (const layout::OwnershipVertex& vertex : plan.ownershipVertices) {
         LIMEN_ASSERT(vertex.visit < std::min(plan.visits.size(), std::size_t{layout::kOwnedOutside}),
                      "an opening's visit is in the plan");
+        LIMEN_ASSERT(!coverageDecides || vertex.outlineCount <= layout::kCoverWindow,
+                     "no outline is drawn around the window: FrameView::coverageDecides");
+        LIMEN_ASSERT(coverageDecides || (vertex.outlineCount & layout::kOnScreen) == 0,
+                     "only fast frames have regions on the screen");
+    }
     LIMEN_ASSERT(!plan.blocks.empty(), "at least the eye's block is resident");
     LIMEN_ASSERT(plan.constants.staticPieces == staticPieces, "the plan was made for this scene");
     for (std::size_t i = 0; i < plan.visits.size(); ++i) {
@@ -386,7 +392,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     const FrameKind kind = kindOf(plan, target, options);
     LIMEN_ASSERT(!kind.multisampled || (!options.wantIds && !options.wantLayers),
                  "a multisampled frame has no ids and no layers");
-    assertSound(plan, scene_->pieces());
+    assertSound(plan, scene_->pieces(), options_.drawing);
     if (Result<void> prepared = preparePrograms(plan, kind); !prepared)
         return prepared;
     const Stopwatch watch;

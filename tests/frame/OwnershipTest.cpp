@@ -83,6 +83,58 @@ TEST_F(OwnershipTest, looksForAnOpeningInTheWholeWindowWithinFiveCentimetresOfIt
     }
 }
 
+TEST_F(OwnershipTest, drawsAnOpeningNearTheEyeAsItsRegionIfCoverageDecides) {
+    planned.coverageDecides = true;
+    for (const double before : {0.0, 0.0005, 0.03, 0.08}) {
+        const auto& plan = planned.planFrom({92, 94.0 - before, 1.5}, 0, first);
+        const auto& visit = planned.visible.visits[1];
+        const auto region = planned.visible.region(visit);
+        std::size_t corners = 0;
+        for (const auto& vertex : plan.ownershipVertices) {
+            EXPECT_EQ(vertex.outlineCount & frame::gpu::kCoverWindow, 0u) << "no fragment tests edges";
+            const bool onScreen = (vertex.outlineCount & frame::gpu::kOnScreen) != 0;
+            EXPECT_EQ(onScreen, vertex.visit == 1 && before < 0.05) << before;
+            corners += onScreen && std::any_of(region.begin(), region.end(), [&](const Vec3& corner) {
+                           return Vec3f(corner) == vertex.position;
+                       });
+            EXPECT_TRUE(!onScreen || vertex.clipSet == 0);
+        }
+        EXPECT_EQ(corners, before < 0.05 ? 3 * (region.size() - 2) : 0) << "a fan of the region";
+    }
+}
+
+TEST_F(OwnershipTest, testsOnlyEdgesThatCutTheOpeningIfCoverageDecides) {
+    std::size_t all = 0, used = 0;
+    for (const double aside : {0.0, 0.3, 0.8, 1.3}) {
+        const Vec3 eye{92 + aside, 91, 1.5};
+        const frame::FramePlan exact = planned.planFrom(eye, 10, first);
+        planned.coverageDecides = true;
+        const frame::FramePlan& plan = planned.planFrom(eye, 10, first);
+        planned.coverageDecides = false;
+        ASSERT_EQ(plan.ownershipVertices.size(), exact.ownershipVertices.size());
+        for (std::size_t i = 0; i + 2 < plan.ownershipVertices.size(); i += 3) {
+            const auto &vertex = plan.ownershipVertices[i], &before = exact.ownershipVertices[i];
+            all += before.clipEdges;
+            used += vertex.clipEdges;
+            const auto& clip = plan.clipSets[vertex.clipSet];
+            for (std::size_t e = vertex.clipEdges; e < frame::gpu::kLastClipPlane; ++e)
+                EXPECT_EQ(clip.planes[e], frame::gpu::vec4(0, 0, 0, 1)) << "behind those in use";
+            const world::Portal& portal = planned.world.portals[planned.visible.visits[vertex.visit].portal];
+            const std::span<const Vec3> polygon = world::polygonOf(planned.world, portal);
+            for (std::size_t c = 0; c < polygon.size(); ++c) {
+                for (double share = 0.0; share < 1.0; share += 0.01) {
+                    const Vec3f at(glm::mix(polygon[c], polygon[(c + 1) % polygon.size()], share) -
+                                   planned.view.view.eye);
+                    EXPECT_EQ(keeps(clip, at), keeps(exact.clipSets[before.clipSet], at))
+                        << c << " " << share;
+                }
+            }
+        }
+    }
+    EXPECT_LT(used, all);
+    EXPECT_GT(used, 4u) << "some openings are cut";
+}
+
 TEST(Ownership, cutsAnInexactPairByTheOtherPolygonAndDrawsItsHoleWhole) {
     TestWorld world;
     const auto a = world.addBox({0, 0, 0}, {4, 4, 3}, "brown");

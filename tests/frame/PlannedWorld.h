@@ -40,6 +40,7 @@ struct PlannedWorld {
     const frame::FramePlan& planFrom(const Vec3& local, double yaw, world::SpaceIndex root) {
         view = frame::makeView(origin + local, yaw, 0.0, 75.0, 320, 200, root);
         view.gate = gate;
+        view.coverageDecides = coverageDecides;
         const visibility::Graph& flooded = gate == frame::Gate::Ownership ? graph : spaceGraph;
         EXPECT_TRUE(visibility::flood(flooded, {}, view.view, {}, scratch, visible));
         planner.plan(view, visible, plan);
@@ -71,6 +72,7 @@ struct PlannedWorld {
     visibility::FloodScratch scratch;
     visibility::VisibleSet visible;
     frame::Gate gate = frame::Gate::Ownership; ///< of the next plans
+    bool coverageDecides = false;
     frame::FrameView view;
     frame::FramePlan plan;
 };

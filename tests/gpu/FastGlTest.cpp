@@ -103,6 +103,40 @@ TEST_F(FastGlTest, showsTheSameSurfacesForAnyNumberOfVisits) {
     }
 }
 
+TEST_F(FastGlTest, openingsOwnTheSamePixelsWithinAClipSet) {
+    layout::ClipSet left, nothing;
+    std::fill(std::begin(left.planes), std::end(left.planes), layout::vec4(0, 0, 0, 1));
+    left.planes[0] = {-1, 0.1f, 0, 0}; // x <= y / 10
+    nothing = left;
+    nothing.planes[layout::kLastClipPlane] = {0, 1, 0, -9}; // y >= 9: behind the openings
+    for (const layout::ClipSet& set : {left, nothing}) {
+        SceneBuilder scene = rooms();
+        scene.plan.clipSets.push_back(set);
+        for (layout::OwnershipVertex& vertex : scene.plan.ownershipVertices) {
+            vertex.clipSet = 1;
+            vertex.clipEdges = 1;
+        }
+        const Both both = drawBoth(scene, 32);
+        EXPECT_EQ(both.fast.ownership, both.exact.ownership);
+        const auto owned =
+            both.fast.ownership.size() -
+            static_cast<std::size_t>(std::count(both.fast.ownership.begin(), both.fast.ownership.end(), 0u));
+        EXPECT_EQ(owned > 0, set.planes[layout::kLastClipPlane].w > 0.0f);
+    }
+}
+
+TEST_F(FastGlTest, aRegionOnTheScreenOwnsItsPixels) {
+    SceneBuilder scene = rooms();
+    auto& vertices = scene.plan.ownershipVertices;
+    vertices.resize(3); // the left half of the window, with two corners far beyond it
+    const std::array<Vec3f, 3> corners{Vec3f(0, -3, 1), Vec3f(0, 3, 1), Vec3f(-8, 0, 2)};
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        vertices[i] = {corners[i], 0, 1, 0, 0, layout::kOnScreen, Vec3f(0.0f), 1};
+    const Frame drawn = render(scene, 32, fast());
+    for (std::size_t i = 0; i < drawn.ownership.size(); ++i)
+        EXPECT_EQ(drawn.ownership[i] != 0, i % 32 < 16) << i;
+}
+
 TEST_F(FastGlTest, showsTheSameColours) {
     SceneBuilder scene = rooms();
     for (const bool ids : {true, false}) {
