@@ -12,6 +12,7 @@ void tuneHeap() {
     constexpr int kLarge = 1 << 20; // bytes
     (void)mallopt(M_ARENA_MAX, 1);
     (void)mallopt(M_MMAP_THRESHOLD, kLarge);
+    (void)mallopt(M_TRIM_THRESHOLD, 32 * kLarge);
 #endif
 }
 

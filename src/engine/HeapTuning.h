@@ -9,6 +9,8 @@ namespace limen::engine {
 /// - Arrays of 1 MiB and more are mapped from the system and returned to it. Otherwise the allocator learns
 ///   to keep them in the heap and places small, long-lived blocks between them, so that the heap fragments
 ///   and grows.
+/// - Up to 32 MiB that are free at the heap's end stay with the program. A software driver allocates and frees some MiB
+///   for each frame, in blocks of 64 KiB, and each would otherwise be a call of the system and page faults.
 void tuneHeap();
 
 /// Returns free memory within the heap to the system, of all threads, with glibc. Other threads that allocate wait some
