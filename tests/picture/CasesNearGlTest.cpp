@@ -210,6 +210,25 @@ TEST_P(CasesNear, case49_anEyeAtAnOpeningThatIsNotFlat) {
     }
 }
 
+// A corner is off by less than a hair. The eye is as near to the plane and to a corner: past the edges of the walls beside
+// the corner, or before them.
+TEST_P(CasesNear, case49_anEyeAtAnOpeningThatIsAlmostFlat) {
+    for (const double off : {-4e-5, 4e-5}) {
+        TestWorld world;
+        const BentRooms rooms(world, 84, off, {80, 80, -12}, "brown", "blue");
+        PictureWorld pictures(world, options());
+        const world::SpaceIndex a = pictures.space(world.id(rooms.a));
+        for (const Vec3& corner : rooms.opening) {
+            const double left = corner.y < 82 ? 1.0 : -1.0, up = corner.z < -11 ? 1.0 : -1.0;
+            for (const double past : {-9e-6, -3e-6, 3e-6, 9e-6}) { // of the mean plane
+                const Vec3 eye(84 + off / 4 + past, corner.y + left * 2e-5, corner.z + up * 3e-5);
+                for (const double yaw : {2.0, 178.0, 268.0})
+                    pictures.expectClean(pictures.look(eye, yaw, -50 * up, a));
+            }
+        }
+    }
+}
+
 TEST_P(CasesNear, case49_anEyeAtAnOpeningOfOneWayThatIsNotFlat) {
     TestWorld::LinkOptions walled;
     walled.surfaceInB = "red";
