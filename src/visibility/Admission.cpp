@@ -7,14 +7,27 @@
 #include "visibility/Region.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace limen::visibility {
 
 namespace {
 
-/// Metres by which a portal must extend beyond its visit's entry plane. A ray that enters through a plane
-/// does not leave through the same plane (two openings in one wall).
-constexpr double kBeyondEntry = 1e-6;
+/// Distances of a polygon's corners beyond a visit's entry plane, metres.
+struct Extent {
+    double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+    void include(double distance) {
+        least = std::min(least, distance);
+        most = std::max(most, distance);
+    }
+};
+
+/// True if rays that come in by the entry plane may leave by a portal of this extent. A portal in the plane faces them if the
+/// space has no depth there: its walls touch, or slivers of its openings do.
+bool isReached(const Plane& entry, const Graph::Portal& portal, const Extent& beyond) {
+    const bool facesBack = glm::dot(entry.n, portal.plane.n) < 0.0;
+    return beyond.most > kBeyondEntry || (facesBack && beyond.least >= -kBeyondEntry);
+}
 
 /// A bit of 64 by hash.
 std::uint64_t bitOf(std::uint32_t portal) {
@@ -90,14 +103,15 @@ PortalFate Admission::whyUnseen(std::uint32_t index, std::uint32_t portalIndex) 
         return PortalFate::WayBack;
     if (portal.plane.signedDistance(in_.view.eye) < -kInPlaneTolerance)
         return PortalFate::WrongSide;
-    bool isBeyond = visit.parent == kNone, isAhead = false;
+    Extent beyond;
+    bool isAhead = false;
     for (const Vec3& v : in_.graph.polygon(portal)) {
-        isBeyond |= visit.entryPlane.signedDistance(v - in_.view.eye) > kBeyondEntry;
+        beyond.include(visit.entryPlane.signedDistance(v - in_.view.eye));
         isAhead |= glm::dot(in_.view.forward, v - in_.view.eye) > 0.0;
     }
     if (!isAhead)
         return PortalFate::BehindEye;
-    return isBeyond ? PortalFate::OutsideRegion : PortalFate::BeforeEntry;
+    return isReached(visit.entryPlane, portal, beyond) ? PortalFate::OutsideRegion : PortalFate::BeforeEntry;
 }
 
 template void Admission::admit<false>(std::uint32_t, std::uint32_t, const ScreenOpenings::Exit*,
@@ -191,16 +205,12 @@ bool Admission::openingRegion(std::uint32_t index, const Graph::Portal& portal,
             s_.relative.push_back(v - in_.view.eye);
         relative = s_.relative;
     }
-    double farthest = visit.parent == kNone ? 1.0 : 0.0;
-    double nearest = farthest;
-    for (const Vec3& v : relative) {
-        const double distance = visit.entryPlane.signedDistance(v);
-        farthest = std::max(farthest, distance);
-        nearest = std::min(nearest, distance + kInPlaneTolerance);
-    }
-    if (farthest <= kBeyondEntry)
+    Extent beyond;
+    for (const Vec3& v : relative)
+        beyond.include(visit.entryPlane.signedDistance(v));
+    if (!isReached(visit.entryPlane, portal, beyond))
         return false;
-    if (known != nullptr && nearest >= 0.0 && in_.rules.eyePlaneClip) {
+    if (known != nullptr && beyond.least >= -kInPlaneTolerance && in_.rules.eyePlaneClip) {
         clipByRegion(openings_.onScreen(*known), set_.region(visit), s_.region, s_.swap);
         return !s_.region.empty();
     }

@@ -21,6 +21,10 @@ struct FloodInput {
     FloodTrace* trace = nullptr;  ///< null: no trace
 };
 
+/// Metres by which a portal must extend beyond its visit's entry plane. A ray that enters through a plane
+/// does not leave through the same plane (two openings in one wall).
+inline constexpr double kBeyondEntry = 1e-6;
+
 /// Decides through which openings the rays of a visit leave, and which of its rays.
 class Admission {
 public:

@@ -181,7 +181,7 @@ private:
         const auto behind = [&](const Vec3& n, double d) {
             return glm::dot(n, centre) + d + glm::dot(glm::abs(n), half) < 0.0;
         };
-        if (behind(visit.entryPlane.n, visit.entryPlane.d))
+        if (behind(visit.entryPlane.n, visit.entryPlane.d + kBeyondEntry))
             return false;
         const auto region = out_.region(visit);
         const Mat3 eyeFromScreenNormal = glm::transpose(in_.screen);

@@ -1,5 +1,5 @@
-// Hard cases 45 to 50 of docs/cases.md: cells that overlap in a loop, walls a millimetre apart, bent openings, holes of
-// inexact pairs, a wall below a shut door.
+// Hard cases 45 to 51 of docs/cases.md: cells that overlap in a loop, walls a millimetre apart, bent openings, holes of
+// inexact pairs, a wall below a shut door, a cell without depth.
 #include "motion/Locate.h"
 #include "picture/CaseHelp.h"
 #include "picture/Naming.h"
@@ -210,6 +210,25 @@ TEST_P(CasesNear, case49_anEyeAtAnOpeningThatIsNotFlat) {
     }
 }
 
+// A corner is off by less than a hair. The eye is as near to the plane and to a corner: past the edges of the walls beside
+// the corner, or before them.
+TEST_P(CasesNear, case49_anEyeAtAnOpeningThatIsAlmostFlat) {
+    for (const double off : {-4e-5, 4e-5}) {
+        TestWorld world;
+        const BentRooms rooms(world, 84, off, {80, 80, -12}, "brown", "blue");
+        PictureWorld pictures(world, options());
+        const world::SpaceIndex a = pictures.space(world.id(rooms.a));
+        for (const Vec3& corner : rooms.opening) {
+            const double left = corner.y < 82 ? 1.0 : -1.0, up = corner.z < -11 ? 1.0 : -1.0;
+            for (const double past : {-9e-6, -3e-6, 3e-6, 9e-6}) { // of the mean plane
+                const Vec3 eye(84 + off / 4 + past, corner.y + left * 2e-5, corner.z + up * 3e-5);
+                for (const double yaw : {2.0, 178.0, 268.0})
+                    pictures.expectClean(pictures.look(eye, yaw, -50 * up, a));
+            }
+        }
+    }
+}
+
 TEST_P(CasesNear, case49_anEyeAtAnOpeningOfOneWayThatIsNotFlat) {
     TestWorld::LinkOptions walled;
     walled.surfaceInB = "red";
@@ -278,6 +297,25 @@ TEST_P(CasesNear, case50_aWallBelowAShutDoorInTheDoorsPlane) {
         wrong += pictures.judge(picture).findings();
     }
     EXPECT_LE(wrong, GetParam() ? 2u : 0u); // of 1,843,200 pixels, in views chosen for this edge
+}
+
+// Rounded corners can fold a room, so that two of its openings are in one plane. Rays come in by one and leave by the other.
+TEST_P(CasesNear, case51_aRoomWithoutDepthBetweenTwoOpenings) {
+    TestWorld world;
+    const auto near = world.addBox({80, 80, -12}, {84, 84, -9}, "brown"),
+               folded = world.addBox({82, 80, 20}, {88, 84, 23}, "red"),
+               far = world.addBox({84, 80, -12}, {88, 84, -9}, "blue");
+    const std::vector<Vec3> opening = rectangle({84, 81, -11.5}, {84, 83, -9.5});
+    world.link(near, opening, folded);
+    world.link(folded, opening, far);
+    PictureWorld pictures(world, options());
+    const world::SpaceIndex space = pictures.space(world.id(near));
+    for (const Vec3& eye : {Vec3(81, 82, -10.5), Vec3(83, 80.5, -11), Vec3(83.9999, 81.0001, -11.4)}) {
+        for (const double yaw : {60.0, 90.0}) {
+            const Picture picture = pictures.expectClean(pictures.look(eye, yaw, 3, space));
+            EXPECT_GT(pixelsOfRecord(pictures, picture, world.id(far)), 200u) << eye.x << " " << yaw;
+        }
+    }
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "support/TestWorld.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace limen::test {
 
@@ -10,9 +11,10 @@ namespace limen::test {
 /// three. Block-local.
 struct BentRooms {
     /// `middle`: x of the opening, metres. `off`: metres by which its corner at (y = 4, z = high) is moved in x.
+    /// `origin`: of the cells' records; `low` if not given, so that their floats are of a few metres.
     BentRooms(TestWorld& source, double middle, double off, const Vec3& low = {0, 0, 0},
               const char* surfaceOfA = "grey", const char* surfaceOfB = "grey",
-              const TestWorld::LinkOptions& options = {})
+              const TestWorld::LinkOptions& options = {}, const std::optional<Vec3>& origin = {})
         : opening{{middle, low.y, low.z},
                   {middle, low.y + 4, low.z},
                   {middle + off, low.y + 4, low.z + 3},
@@ -23,7 +25,9 @@ struct BentRooms {
             for (Wall& wall : walls)
                 std::replace(wall.points.begin(), wall.points.end(), flat, opening[2]);
             walls.erase(walls.begin() + open);
-            return source.addCell(std::move(walls));
+            TestWorld::CellOptions cell;
+            cell.frame.origin = Vec3f(origin.value_or(low));
+            return source.addCell(std::move(walls), cell);
         };
         a = room({middle - 4, low.y, low.z}, flat, kEast, surfaceOfA);
         b = room({middle, low.y, low.z}, {middle + 4, low.y + 4, low.z + 3}, kWest, surfaceOfB);

@@ -49,6 +49,28 @@ TEST(Flood, doesNotSeeDoorsBehindTheEyeOrOffTheScreen) {
     EXPECT_EQ(floodOnce(rowOfRooms(4).build(), viewFrom({0, 5, 0}, 90, 0, 0)).visits.size(), 1u);
 }
 
+TEST(Flood, followsTwoOpeningsOfASpaceWithoutDepth) {
+    TestGraph world;
+    for (int i = 0; i < 3; ++i)
+        world.addSpace();
+    const std::vector<Vec3> opening = uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2);
+    world.link(0, 1, opening);
+    world.link(1, 2, opening);
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 5, 0}, 0, 0, 0));
+    ASSERT_EQ(set.visits.size(), 3u);
+    EXPECT_EQ(chainOf(set, 2), (Chain{0, 1, 2}));
+    EXPECT_EQ(ownerOf(set, {0, 0, 1}), 2u);
+}
+
+TEST(Flood, doesNotLeaveByAnotherOpeningInTheSameWall) {
+    TestGraph world;
+    for (int i = 0; i < 3; ++i)
+        world.addSpace();
+    world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
+    world.link(1, 2, uprightRectangle({0.5, 10, 0}, {0, 1, 0}, 2, 2));
+    EXPECT_EQ(floodOnce(world.build(), viewFrom({0, 5, 0}, 0, 0, 0)).visits.size(), 2u);
+}
+
 TEST(Flood, stopsAtAClosedFilling) {
     const Graph graph = rowOfRooms(4).build();
     std::vector<std::uint8_t> closed(graph.portals().size(), 0);

@@ -65,11 +65,26 @@ TEST(BentOpenings, haveTheSameTrianglesFromBothSides) {
 
 TEST(BentOpenings, stayWholeIfFloatsAreNoMoreAccurate) {
     DoorRooms rooms;
-    rooms.source.link(rooms.a, bentDoor(1e-5), rooms.b);
+    rooms.source.link(rooms.a, bentDoor(1e-6), rooms.b);
     const World world = test::loadTestWorld(rooms.source);
     ASSERT_EQ(world.spaces[1].portalCount, 1u);
     EXPECT_EQ(world.portals[world.spaces[1].firstPortal].whole, kNone);
     EXPECT_TRUE(world.wholes.empty());
+}
+
+TEST(BentOpenings, areTrianglesIfACornerIsOffByMoreThanRounding) {
+    DoorRooms rooms;
+    rooms.source.link(rooms.a, bentDoor(2e-5), rooms.b);
+    EXPECT_EQ(test::loadTestWorld(rooms.source).spaces[1].portalCount, 2u);
+}
+
+TEST(BentOpenings, mayBeOffMoreInACellThatReachesFar) {
+    for (const double away : {0.0, 80.0}) { // metres from the origin of the cells' records
+        TestWorld source;
+        const test::BentRooms rooms(source, 84.0, 6e-5, {80, 80, 0}, "grey", "grey", {},
+                                    Vec3(80 - away, 80, 0));
+        EXPECT_EQ(test::loadTestWorld(source).spaces[1].portalCount, away > 0.0 ? 1u : 2u);
+    }
 }
 
 TEST(BentOpenings, withAWallOnTheFarSideAreTrianglesOfOneWay) {

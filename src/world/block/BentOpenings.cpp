@@ -10,17 +10,35 @@
 namespace limen::world {
 namespace {
 
-/// Metres. Vertices that are off by less leave an opening in one piece: floats in a block are no more accurate.
-constexpr double kBent = 2e-5;
+/// Four half steps of a float, as a share of the distance from a cell's origin. Vertices that are off by less leave an opening
+/// in one piece. An eye nearer to its plane can be past the edges of the walls beside it (decision 210).
+constexpr double kBentShare = 4.0 / (1 << 24);
+constexpr double kLeastBent = 1e-6; ///< metres, near the origin
+
+/// Metres from the origin of a cell's record to the farthest vertex; 0 for the outside.
+double reachFrom(const BlockContent& block, std::uint32_t space, std::span<const Vec3> points) {
+    double reach = 0.0;
+    if (space < block.cells.size())
+        for (const Vec3& point : points)
+            reach = std::max(reach, glm::length(point - block.cells[space].origin));
+    return reach;
+}
+
+/// The deviation that the records of both cells may have by rounding, metres.
+double roundingOf(const BlockContent& block, const PortalContent& portal) {
+    const double reach = std::max(reachFrom(block, portal.space, portal.points),
+                                  reachFrom(block, portal.destination, portal.points));
+    return std::max(kLeastBent, kBentShare * reach);
+}
 
 /// Whether a vertex of the outline is off the plane, or a stitched one off the edge that it was stitched into.
-bool isBent(const PortalContent& portal) {
+bool isBent(const PortalContent& portal, double most) {
     const std::vector<Vec3>& hull = portal.corners;
     return std::any_of(portal.points.begin(), portal.points.end(), [&](const Vec3& point) {
         double off = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < hull.size(); ++i)
             off = std::min(off, distanceToSegment(point, hull[i], hull[(i + 1) % hull.size()]).distance);
-        return off > kBent || std::abs(portal.plane.signedDistance(point)) > kBent;
+        return off > most || std::abs(portal.plane.signedDistance(point)) > most;
     });
 }
 
@@ -133,9 +151,10 @@ void splitBentOpenings(BlockContent& block) {
         const bool isOneWay = portal.reciprocal == kNone;
         LIMEN_ASSERT(isOneWay || block.portals[portal.reciprocal].reciprocal == p,
                      "the way back of a way back is the portal itself");
-        if (isOneWay && isBent(portal))
+        const double most = roundingOf(block, portal);
+        if (isOneWay && isBent(portal, most))
             splitting.split(p);
-        else if (!isOneWay && (isBent(portal) || isBent(block.portals[portal.reciprocal])))
+        else if (!isOneWay && (isBent(portal, most) || isBent(block.portals[portal.reciprocal], most)))
             splitting.split(p, portal.reciprocal);
     }
     splitting.finish();

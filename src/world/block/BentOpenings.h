@@ -5,7 +5,7 @@
 namespace limen::world {
 
 /// Cuts each opening that is not flat into triangles, each a portal of its own (docs/ray-rule.md). Such an opening is an
-/// exact pair with a vertex more than 0.02 mm off its plane or its convex hull. Both portals of the pair are cut along
+/// exact pair with a vertex that is off its plane or its convex hull by more than the rounding of the records. Both portals of the pair are cut along
 /// the same diagonals, so the cells stay closed. The parts take the place of the portal; indices of portals change.
 /// Called after finishBuildings.
 void splitBentOpenings(BlockContent& block);
