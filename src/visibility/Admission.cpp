@@ -22,8 +22,8 @@ struct Extent {
     }
 };
 
-/// True if rays that come in by the entry plane may leave by a portal of this extent. A portal in the plane faces them if the
-/// space has no depth there: its walls touch, or slivers of its openings do.
+/// True if rays that come in by the entry plane may leave by a portal of this extent. A portal in the plane faces
+/// them if the space has no depth there: its walls touch, or slivers of its openings do.
 bool isReached(const Plane& entry, const Graph::Portal& portal, const Extent& beyond) {
     const bool facesBack = glm::dot(entry.n, portal.plane.n) < 0.0;
     return beyond.most > kBeyondEntry || (facesBack && beyond.least >= -kBeyondEntry);
