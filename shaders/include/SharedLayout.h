@@ -401,10 +401,10 @@ LIMEN_STRUCT(SlotGroup) {
     uint lastRun LIMEN_ZERO;
 };
 
+LIMEN_CONST kLastClipPlane = 7u; // of ClipSet.planes
 // Eight half-spaces, eye-relative. Inside: dot(plane.xyz, p) + plane.w >= 0. All but the last pass through the eye.
 // Unused ones are (0,0,0,1). In plans that clip (FramePlan::clips) they are lines on the screen: p is (x, y, w) in clip
 // space, the planes become clip distances, and the first set has no lines.
-LIMEN_CONST kLastClipPlane = 7u;
 LIMEN_STRUCT(ClipSet) {
     vec4 planes[8] LIMEN_ZERO;
 };

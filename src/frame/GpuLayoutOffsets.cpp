@@ -54,7 +54,7 @@ static_assert(offsetof(OwnershipVertex, position) == 0 && offsetof(OwnershipVert
               offsetof(OwnershipVertex, outlineFirst) == 24 &&
               offsetof(OwnershipVertex, outlineCount) == 28 && offsetof(OwnershipVertex, rest) == 32 &&
               offsetof(OwnershipVertex, clipEdges) == 44);
-static_assert(offsetof(ClipSet, planes) == 0);
+static_assert(offsetof(ClipSet, planes) == 0 && sizeof(ClipSet) == (kLastClipPlane + 1) * sizeof(vec4));
 static_assert(offsetof(SkyInstance, row0) == 0 && offsetof(SkyInstance, row1) == 16 &&
               offsetof(SkyInstance, row2) == 32 && offsetof(SkyInstance, firstMaterial) == 48 &&
               offsetof(SkyInstance, opacity) == 52 && offsetof(SkyInstance, luminosity) == 56 &&

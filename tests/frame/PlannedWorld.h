@@ -72,7 +72,7 @@ struct PlannedWorld {
     visibility::FloodScratch scratch;
     visibility::VisibleSet visible;
     frame::Gate gate = frame::Gate::Ownership; ///< of the next plans
-    bool coverageDecides = false;
+    bool coverageDecides = false;              ///< as FrameView::coverageDecides, of the next plans
     frame::FrameView view;
     frame::FramePlan plan;
 };
