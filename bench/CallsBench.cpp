@@ -49,7 +49,9 @@ Result<CallList> tourCalls(const dat::Archive& archive, const world::WorldFile& 
     std::vector<world::Place> places = file.tour;
     places.insert(places.end(), file.places.begin(), file.places.end());
     CallList calls;
-    gpu::NullDevice device;
+    gpu::Capabilities capabilities = gpu::NullDevice::defaultCapabilities();
+    capabilities.software = drawing == gpu::Drawing::Fast; // the way of drawing without a card
+    gpu::NullDevice device(capabilities);
     PartOfTour part(archive, file, device, kFrameWidth, kFrameHeight, {.drawing = drawing});
     for (const world::Place& place : places) {
         Result<void> added =

@@ -19,7 +19,9 @@ struct FrameKind {
     bool grainedMeshes = false, grainedLand = false; ///< detail pictures
     bool pixelLamps = false;                         ///< lamps light walls in fragments
     bool clipped = false;                            ///< FramePlan::clips
-    bool manyVisits = false;                         ///< more than frame::VisitBits has bits for
+    /// DriverChoices::overlaps, in a frame with colour and depth alone. Its solid pass clears both in one call.
+    bool overlaps = false;
+    bool manyVisits = false; ///< more than frame::VisitBits has bits for
     RenderOptions options{};
 };
 

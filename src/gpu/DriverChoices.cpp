@@ -73,6 +73,13 @@ DriverChoice commandsOf(const DriverChoices& choices) {
             choices.computes ? "drawn exact" : "drawn fast: the compute passes are skipped"};
 }
 
+DriverChoice overlapOf(const DriverChoices& choices) {
+    return {"early_start", choices.overlaps ? "walls and ground" : "off",
+            choices.overlaps   ? "the processor rasterises them while it transforms the rest"
+            : choices.software ? "drawn exact"
+                               : "a card begins by itself"};
+}
+
 DriverChoice cullingOf(const DriverChoices& choices) {
     return {"triangle_culling", nameOf(choices.culling),
             choices.drawing == Drawing::Fast ? "drawn fast: early depth tests do its work"
@@ -101,6 +108,7 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
     choices.anisotropy = capabilities.software ? 1.0f : options.textures.anisotropy;
     choices.samples = std::max(samples, 1u);
     choices.computes = !isFast;
+    choices.overlaps = isFast && capabilities.software;
     choices.details = !isFast || !capabilities.software;
     if (!isFast && options.exactOutlines && choices.samples == 1)
         choices.culling = options.culling;
@@ -110,7 +118,7 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
 std::vector<DriverChoice> describe(const DriverChoices& choices) {
     return {rasteriserOf(choices), drawingOf(choices), texturesOf(choices),   pagesOf(choices),
             terrainOf(choices),    levelsOf(choices),  anisotropyOf(choices), samplesOf(choices),
-            commandsOf(choices),   cullingOf(choices), detailsOf(choices)};
+            commandsOf(choices),   overlapOf(choices), cullingOf(choices),    detailsOf(choices)};
 }
 
 } // namespace limen::gpu

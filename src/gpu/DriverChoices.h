@@ -21,6 +21,7 @@ struct DriverChoices {
     std::uint32_t samples = 1;       ///< per pixel, in frames without ids
     bool computes = false;           ///< a compute pass writes the draw commands; else the processor does
     Culling culling = Culling::None; ///< triangles that compute passes skip
+    bool overlaps = false;           ///< rasterises walls and ground while it transforms the rest
     bool details = true;             ///< detail pictures in the look Retail; Enhanced always has them
 };
 

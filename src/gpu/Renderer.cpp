@@ -244,6 +244,8 @@ FrameKind Renderer::kindOf(const frame::FramePlan& plan, const RenderTarget& tar
             .grainedLand = tiling[layout::kDetailOfLand] > 0,
             .pixelLamps = (plan.constants.flags & layout::kFramePixelLamps) != 0,
             .clipped = plan.clips,
+            .overlaps = choices().overlaps && plan.gate == frame::Gate::Ownership && !options.wantIds &&
+                        !options.wantLayers,
             .manyVisits = FastDraws::listsMembers(plan),
             .options = options};
 }
@@ -308,8 +310,11 @@ void Renderer::bindAll(const FrameRing& ring, bool withDrawn) {
     device_->bindTextures(scene_->boundTextures(), withDrawn);
 }
 
-void Renderer::clearTarget(const frame::FramePlan& plan, const RenderOptions& options) {
+void Renderer::clearTarget(const frame::FramePlan& plan, const FrameKind& frame) {
+    const RenderOptions& options = frame.options;
     device_->clear(TargetImage::Ownership, rootOwner(plan.constants.rootZone));
+    if (frame.overlaps)
+        return;
     if (options.shading != Shading::IdsOnly)
         device_->clear(TargetImage::Colour, clearColour(plan, options));
     if (options.wantLayers)
@@ -353,6 +358,7 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
 
 void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commands, const FrameKind& frame) {
     std::optional<Pass> current;
+    bool isCleared = !frame.overlaps;
     timesStages_ = !hasRepeatedStages(plan); // a timer measures one interval a frame
     for (const frame::Stage& stage : plan.stages) {
         const Stopwatch watch;
@@ -375,6 +381,12 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commands, co
                 device_->beginPass(pass);
                 current = pass;
             }
+            if (!isCleared && current == Pass::SolidNoIds) {
+                device_->clearPicture(clearColour(plan, frame.options));
+                isCleared = true;
+            }
+            if (frame.overlaps && batch.program == frame::Program::CutOut)
+                device_->flush(); // most vertices come now
             drawBatch(batch, slots, commands, frame);
             ++report.batches;
         }
@@ -382,6 +394,7 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commands, co
             device_->endStage(stage.kind);
         report.cpuMs += watch.milliseconds();
     }
+    LIMEN_ASSERT(isCleared, "every frame has a solid pass");
 }
 
 Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target,
@@ -409,7 +422,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     const std::span<std::byte> memory = device_->beginFrame(target.handle(), target.viewport());
     writeRing(plan, ring, options, target, memory);
     bindAll(ring, isFast() && !kind.multisampled);
-    clearTarget(plan, options);
+    clearTarget(plan, kind);
     if (!isFast())
         culling_->cull();
     drawStages(plan, ring.commands(), kind);

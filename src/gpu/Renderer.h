@@ -93,7 +93,8 @@ private:
     void writeRing(const frame::FramePlan& plan, const FrameRing& ring, const RenderOptions& options,
                    const RenderTarget& target, std::span<std::byte> memory);
     void bindAll(const FrameRing& ring, bool withDrawn);
-    void clearTarget(const frame::FramePlan& plan, const RenderOptions& options);
+    /// All images of the target, but those that the solid pass clears.
+    void clearTarget(const frame::FramePlan& plan, const FrameKind& frame);
     /// `commands`: offset of the frame's draw commands in the ring memory.
     void drawStages(const frame::FramePlan& plan, std::size_t commands, const FrameKind& frame);
     void drawPlainSky(const frame::Batch& batch, bool voids, const FrameKind& frame);

@@ -67,6 +67,12 @@ TEST(DriverChoices, computePassesServeExactFramesOnly) {
     EXPECT_EQ(driverChoices(fast(), card()).culling, Culling::None);
 }
 
+TEST(DriverChoices, onlyAProcessorIsToldToBeginEarly) {
+    EXPECT_TRUE(driverChoices(fast(), software()).overlaps);
+    EXPECT_FALSE(driverChoices(fast(), card()).overlaps);
+    EXPECT_FALSE(driverChoices({}, software()).overlaps);
+}
+
 TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
     std::set<std::string> names;
     for (const DriverChoice& choice : describe(driverChoices(fast(), software()))) {
@@ -74,9 +80,10 @@ TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
         EXPECT_FALSE(choice.value.empty());
         EXPECT_FALSE(std::string(choice.reason).empty());
     }
-    const std::set<std::string> expected{
-        "rasteriser", "drawing",       "textures",      "pages_by_index",   "packed_landcells", "mip_levels",
-        "anisotropy", "multisampling", "draw_commands", "triangle_culling", "detail_pictures"};
+    const std::set<std::string> expected{"rasteriser",     "drawing",          "textures",
+                                         "pages_by_index", "packed_landcells", "mip_levels",
+                                         "anisotropy",     "multisampling",    "draw_commands",
+                                         "early_start",    "triangle_culling", "detail_pictures"};
     EXPECT_EQ(names, expected);
 }
 

@@ -304,8 +304,9 @@ TEST_F(FastGlTest, aFrameStaysWithinTheBudgetOfCalls_andNullDeviceCountsThemAlik
                           {.members = {{1, 0}}, .gated = i % 2 == 0});
         scene.upload.terrainCells.resize(1);
         scene.upload.terrainCells[0].base = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+        scene.plan.constants.voidColour = StateTracker::kFirstClearColour; // another takes a call more in the first frame
         const frame::FramePlan& plan = scene.finish(true);
-        NullDevice null;
+        NullDevice null(device_->capabilities());
         Renderer real(*device_, fast()), recorded(null, fast());
         ASSERT_TRUE(real.upload(scene.upload));
         ASSERT_TRUE(recorded.upload(scene.upload));
@@ -320,6 +321,57 @@ TEST_F(FastGlTest, aFrameStaysWithinTheBudgetOfCalls_andNullDeviceCountsThemAlik
         }
     }
     EXPECT_EQ(counts.size(), 1u) << "independent of draws and of earlier frames";
+}
+
+// Most vertices are those of cut-outs: plants.
+TEST_F(FastGlTest, aProcessorBeginsWithWallsAndGroundBeforeTheCutOuts) {
+    using Kind = NullDevice::CommandKind;
+    const auto kindsOf = [&](bool software, const RenderOptions& options) {
+        Capabilities capabilities;
+        capabilities.software = software;
+        NullDevice null(capabilities);
+        Renderer renderer(null, fast());
+        SceneBuilder scene = rooms();
+        EXPECT_TRUE(renderer.upload(scene.upload));
+        Result<RenderTarget> target = RenderTarget::create(null, 8, 8);
+        EXPECT_TRUE(target && renderer.render(scene.finish(true), *target, options));
+        std::vector<Kind> kinds;
+        for (const NullDevice::Command& command : null.commands())
+            kinds.push_back(command.kind);
+        return kinds;
+    };
+    const auto count = [](const std::vector<Kind>& kinds, Kind kind) {
+        return std::count(kinds.begin(), kinds.end(), kind);
+    };
+    const std::vector<Kind> kinds = kindsOf(true, {.wantIds = false});
+    ASSERT_EQ(count(kinds, Kind::Flush), 1);
+    EXPECT_EQ(count(kinds, Kind::ClearPicture), 1);
+    EXPECT_EQ(count(kinds, Kind::Clear), 1) << "of owners";
+    const auto flush = std::find(kinds.begin(), kinds.end(), Kind::Flush);
+    EXPECT_EQ(std::count(kinds.begin(), flush, Kind::DrawIndirect), 4)
+        << "walls and ground, each with and without a test";
+    for (const std::vector<Kind>& others :
+         {kindsOf(false, {.wantIds = false}), kindsOf(true, {.wantIds = true})}) {
+        EXPECT_EQ(count(others, Kind::Flush), 0);
+        EXPECT_EQ(count(others, Kind::ClearPicture), 0);
+    }
+}
+
+TEST_F(FastGlTest, pixelsWithoutASurfaceHaveTheColourOfTheFramesOwnPlan) {
+    SceneBuilder scene;
+    scene.root(1);
+    scene.addWall('A', {0, -9}, {9, 9}, 2, {.members = {{1, 0}}});
+    scene.finish();
+    std::erase_if(scene.plan.stages, [](const frame::Stage& stage) { return stage.kind == frame::StageKind::Sky; });
+    Renderer renderer(*device_, fast());
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    for (const layout::vec4& colour :
+         {layout::vec4(0, 0.2f, 1, 1), layout::vec4(1, 0, 0.4f, 1), layout::vec4(0, 0.2f, 1, 1)}) {
+        scene.plan.constants.voidColour = colour;
+        const Frame frame = renderWith(renderer, scene.plan, 8, 8, {.wantIds = false});
+        for (int channel = 0; channel < 4; ++channel)
+            EXPECT_EQ(frame.colour[static_cast<std::size_t>(channel)], std::lround(255 * colour[channel]));
+    }
 }
 
 TEST_F(FastGlTest, multisampledFramesShowTheSame) {

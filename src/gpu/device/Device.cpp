@@ -26,6 +26,10 @@ bool StateTracker::setViewport(const Viewport& viewport) {
     return std::exchange(viewport_, viewport) != viewport;
 }
 
+bool StateTracker::setClearColour(const glm::vec4& colour) {
+    return std::exchange(clearColour_, colour) != colour;
+}
+
 StateTracker::Changes StateTracker::reset() {
     return apply({.program = current_.program});
 }

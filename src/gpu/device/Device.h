@@ -210,6 +210,10 @@ public:
     /// its output as commands and indices, later programs as storage.
     virtual void compute(ProgramHandle program, const WorkGroups& groups) = 0;
     virtual void clear(TargetImage image, const ClearValue& value) = 0;
+    /// Clears the colour of the current pass, and its depth to 0, in one call. Requires Pass::SolidNoIds.
+    virtual void clearPicture(const glm::vec4& colour) = 0;
+    /// Has the driver begin with the draws so far, while later ones are prepared.
+    virtual void flush() = 0;
     virtual void beginStage(frame::StageKind stage) = 0;
     virtual void endStage(frame::StageKind stage) = 0;
     virtual void beginPass(Pass pass) = 0;
@@ -250,6 +254,8 @@ public:
     [[nodiscard]] Changes apply(const DrawState& next);
     /// True if depth writes must be enabled; records them as enabled.
     [[nodiscard]] bool enableDepthWrite();
+    /// True if the colour of clearPicture must be set; records it as set.
+    [[nodiscard]] bool setClearColour(const glm::vec4& colour);
     /// The changes to the state in which every frame begins and ends, with the current program; records them.
     [[nodiscard]] Changes reset();
     /// The current state with another program, for a compute program.
@@ -260,9 +266,13 @@ public:
     [[nodiscard]] bool setViewport(const Viewport& viewport);
     [[nodiscard]] const Viewport& viewport() const { return viewport_; }
 
+    /// That of frame::FrameView, so that first frames make the same calls as later ones.
+    static constexpr glm::vec4 kFirstClearColour{0.5f, 0.0f, 0.5f, 1.0f};
+
 private:
     DrawState current_;
     Viewport viewport_;
+    glm::vec4 clearColour_ = kFirstClearColour;
 };
 
 } // namespace limen::gpu

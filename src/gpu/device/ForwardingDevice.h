@@ -79,6 +79,8 @@ public:
         device_.compute(program, groups);
     }
     void clear(TargetImage image, const ClearValue& value) override { device_.clear(image, value); }
+    void clearPicture(const glm::vec4& colour) override { device_.clearPicture(colour); }
+    void flush() override { device_.flush(); }
     void beginStage(frame::StageKind stage) override { device_.beginStage(stage); }
     void endStage(frame::StageKind stage) override { device_.endStage(stage); }
     void beginPass(Pass pass) override { device_.beginPass(pass); }

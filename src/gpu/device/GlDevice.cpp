@@ -16,6 +16,7 @@ constexpr GLuint kFirstBinding =
 constexpr GLuint kFirstUnit = 0;      // arrays passed to glBind...s are indexed by binding and unit
 constexpr GLint kDepthDrawBuffer = 0; // the only number that OpenGL accepts for depth
 constexpr std::size_t kMaxUnits = 64;
+constexpr GLfloat kClearDepth = 0.0f; // the far plane
 constexpr GLuint64 kFenceTimeoutNanoseconds = 1'000'000'000;
 
 const void* byteOffset(std::size_t offset) {
@@ -50,6 +51,9 @@ void GlDevice::restoreState() {
     glEnablei(GL_BLEND, frame::gpu::kOutputBlended);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    const glm::vec4 clear = StateTracker::kFirstClearColour;
+    glClearColor(clear.x, clear.y, clear.z, clear.w);
+    glClearDepthf(kClearDepth);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glBindVertexArray(vertexArray_.id());
@@ -223,6 +227,18 @@ void GlDevice::clear(TargetImage image, const ClearValue& value) {
              static_cast<GLint>(frame::gpu::kOutputVisit), &std::get<std::uint32_t>(value));
         return;
     }
+}
+
+void GlDevice::clearPicture(const glm::vec4& colour) {
+    if (state_.enableDepthWrite())
+        call(glDepthMask, GLboolean{GL_TRUE});
+    if (state_.setClearColour(colour))
+        call(glClearColor, colour.x, colour.y, colour.z, colour.w);
+    call(glClear, GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT});
+}
+
+void GlDevice::flush() {
+    call(glFlush);
 }
 
 void GlDevice::beginPass(Pass pass) {

@@ -55,6 +55,8 @@ public:
     [[nodiscard]] std::uint32_t baseInstanceAt(std::size_t offset) const override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
+    void clearPicture(const glm::vec4& colour) override;
+    void flush() override;
     void beginStage(frame::StageKind stage) override { timers_.begin(stage); }
     void endStage(frame::StageKind stage) override { timers_.end(stage); }
     void beginPass(Pass pass) override;

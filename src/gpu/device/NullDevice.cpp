@@ -191,6 +191,16 @@ void NullDevice::clear(TargetImage image, const ClearValue&) {
     record(CommandKind::Clear, static_cast<std::size_t>(image), 0, isMasked ? 2 : 1);
 }
 
+void NullDevice::clearPicture(const glm::vec4& colour) {
+    const std::uint32_t changes =
+        std::uint32_t{state_.enableDepthWrite()} + std::uint32_t{state_.setClearColour(colour)};
+    record(CommandKind::ClearPicture, 0, 0, 1 + changes);
+}
+
+void NullDevice::flush() {
+    record(CommandKind::Flush, 0, 0, 1);
+}
+
 void NullDevice::beginStage(frame::StageKind stage) {
     record(CommandKind::BeginStage, static_cast<std::size_t>(stage), 0, 0);
 }

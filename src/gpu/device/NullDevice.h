@@ -14,8 +14,10 @@ public:
         BindStorage,  ///< a: number of ranges
         BindTextures, ///< a: number of textures
         ReadDrawn,
-        Compute,      ///< a: program handle, b: number of groups
-        Clear,        ///< a: TargetImage
+        Compute, ///< a: program handle, b: number of groups
+        Clear,   ///< a: TargetImage
+        ClearPicture,
+        Flush,
         BeginStage,   ///< a: StageKind
         EndStage,     ///< a: StageKind
         BeginPass,    ///< a: Pass
@@ -85,6 +87,8 @@ public:
     [[nodiscard]] std::uint32_t baseInstanceAt(std::size_t offset) const override;
     void compute(ProgramHandle program, const WorkGroups& groups) override;
     void clear(TargetImage image, const ClearValue& value) override;
+    void clearPicture(const glm::vec4& colour) override;
+    void flush() override;
     void beginStage(frame::StageKind stage) override;
     void endStage(frame::StageKind stage) override;
     void beginPass(Pass pass) override;

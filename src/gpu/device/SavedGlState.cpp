@@ -139,6 +139,8 @@ void SavedGlState::saveFixed() {
     clipOrigin_ = number(GL_CLIP_ORIGIN);
     clipDepth_ = number(GL_CLIP_DEPTH_MODE);
     glGetIntegerv(GL_POLYGON_MODE, polygonMode_.data());
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, clearColour_.data());
+    glGetFloatv(GL_DEPTH_CLEAR_VALUE, &clearDepth_);
 }
 
 void SavedGlState::saveIndexed() {
@@ -209,6 +211,8 @@ void SavedGlState::restoreFixed() const {
     glProvokingVertex(static_cast<GLenum>(provokingVertex_));
     glClipControl(static_cast<GLenum>(clipOrigin_), static_cast<GLenum>(clipDepth_));
     glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygonMode_[0]));
+    glClearColor(clearColour_[0], clearColour_[1], clearColour_[2], clearColour_[3]);
+    glClearDepthf(clearDepth_);
 }
 
 void SavedGlState::restoreIndexed() const {

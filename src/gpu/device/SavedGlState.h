@@ -58,6 +58,8 @@ private:
           clipDepth_ = 0;
     std::array<GLint, 2> polygonMode_{}; ///< a core context has one; some drivers write two
     GLboolean depthMask_ = GL_TRUE;
+    std::array<GLfloat, 4> clearColour_{};
+    GLfloat clearDepth_ = 1.0f;
 
     std::size_t viewportCount_ = 0, drawBufferCount_ = 0, unitCount_ = 0;
     std::array<ViewportState, kMostViewports> viewports_{};
