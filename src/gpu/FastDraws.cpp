@@ -2,6 +2,7 @@
 
 #include "core/Assert.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace limen::gpu {
@@ -12,6 +13,10 @@ namespace layout = frame::gpu;
 
 bool isOfSky(const layout::DrawPiece& piece) {
     return (piece.triangles & layout::kNeverCulled) != 0;
+}
+
+std::uint64_t meshOf(const layout::DrawPiece& piece) {
+    return std::uint64_t{piece.firstIndex} << 32 | piece.triangles;
 }
 
 void setVisits(std::uint64_t visits, layout::DrawRecord& record) {
@@ -32,6 +37,12 @@ std::size_t partnerOf(const frame::FramePlan& plan, const frame::Stage& stage, s
     return kAlone;
 }
 
+/// Whether depth alone decides between the batch's surfaces.
+bool hasAnyOrder(const frame::FramePlan& plan, const frame::Batch& batch) {
+    return plan.gate == frame::Gate::Ownership &&
+           (batch.program == frame::Program::Opaque || batch.program == frame::Program::CutOut);
+}
+
 } // namespace
 
 void FastDraws::prepare(const frame::FramePlan& plan, const RenderOptions& options,
@@ -40,22 +51,26 @@ void FastDraws::prepare(const frame::FramePlan& plan, const RenderOptions& optio
     writeInstances(plan, own_);
     slots_.assign(plan.batches.size(), {}); // a batch without a stage is not drawn
     draws_.clear();
+    commands_.clear();
     const frame::DrawRecords makes(tables, plan, own_);
     for (const frame::Stage& stage : plan.stages) {
         for (std::size_t i = stage.firstBatch; i < stage.firstBatch + stage.batchCount; ++i) {
             const std::size_t partner = partnerOf(plan, stage, i);
-            const auto first = static_cast<std::uint32_t>(draws_.size());
+            const auto first = static_cast<std::uint32_t>(commands_.size());
             BatchSlots& slots = slots_[i] = {first, first, first};
             slots.isJoined = partner < i;
             if (slots.isJoined || !hasSlots(plan.batches[i], options))
                 continue;
+            part_.clear();
             second_.clear();
             addRuns(plan, plan.batches[i], makes, slots);
             if (partner != kAlone)
                 addRuns(plan, plan.batches[partner], makes, slots);
-            slots.second = static_cast<std::uint32_t>(draws_.size());
-            draws_.insert(draws_.end(), second_.begin(), second_.end());
-            slots.end = static_cast<std::uint32_t>(draws_.size());
+            const bool anyOrder = hasAnyOrder(plan, plan.batches[i]);
+            addPart(part_, anyOrder);
+            slots.second = static_cast<std::uint32_t>(commands_.size());
+            addPart(second_, anyOrder);
+            slots.end = static_cast<std::uint32_t>(commands_.size());
         }
     }
 }
@@ -71,7 +86,7 @@ void FastDraws::addRuns(const frame::FramePlan& plan, const frame::Batch& batch,
         for (std::uint32_t number = run.firstPiece; number < run.firstPiece + run.pieceCount; ++number) {
             const layout::DrawPiece& piece = makes.piece(number);
             if (isOfSky(piece)) {
-                draws_.push_back({number, false});
+                part_.push_back({meshOf(piece), number, false});
                 continue;
             }
             if (piece.instance != last) {
@@ -82,11 +97,22 @@ void FastDraws::addRuns(const frame::FramePlan& plan, const frame::Batch& batch,
             if (!isHere)
                 continue;
             const bool inSecond = batch.gated && (isWhole || run.gated || (hasLamps && fromOutside));
-            (inSecond ? second_ : draws_).push_back({number, run.gated});
+            (inSecond ? second_ : part_).push_back({meshOf(piece), number, run.gated});
             bool& lamps = inSecond ? slots.lampsInSecond : slots.lampsInFirst;
             lamps = lamps || hasLamps;
         }
     }
+}
+
+void FastDraws::addPart(std::vector<Draw>& part, bool anyOrder) {
+    if (anyOrder)
+        std::sort(part.begin(), part.end(), [](const Draw& a, const Draw& b) {
+            return a.mesh != b.mesh ? a.mesh < b.mesh : a.piece < b.piece;
+        });
+    for (std::size_t i = 0; i < part.size(); ++i)
+        if (!anyOrder || i == 0 || part[i].mesh != part[i - 1].mesh)
+            commands_.push_back(static_cast<std::uint32_t>(draws_.size() + i));
+    draws_.insert(draws_.end(), part.begin(), part.end());
 }
 
 void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& tables, const FrameRing& ring,
@@ -94,30 +120,34 @@ void FastDraws::write(const frame::FramePlan& plan, const frame::RecordTables& t
     const std::span<layout::DrawCommand> commands = ring.commands(memory);
     const std::span<layout::DrawRecord> records = ring.records(memory);
     LIMEN_ASSERT(commands.size() == draws_.size() && records.size() == draws_.size(),
-                 "a record for each slot");
+                 "a record for each draw, and room for as many commands");
     const frame::DrawRecords makes(tables, plan, own_);
+    for (std::size_t slot = 0; slot < commands_.size(); ++slot) {
+        const std::uint32_t first = commands_[slot];
+        const std::uint32_t end = slot + 1 < commands_.size() ? commands_[slot + 1] : drawCount();
+        const layout::DrawPiece& piece = makes.piece(draws_[first].piece);
+        // The record is an instanced attribute, found by the base instance. Sky objects have none.
+        commands[slot] = {3 * (piece.triangles & ~layout::kNeverCulled), end - first, piece.firstIndex, 0,
+                          isOfSky(piece) ? piece.instance : firstRecord + first};
+    }
     const bool hasBits = !listsMembers(plan);
     if (hasBits)
         visits_.prepare(plan);
     std::uint32_t last = 0xFFFFFFFFu;
     layout::DrawRecord record;
-    for (std::uint32_t slot = 0; slot < draws_.size(); ++slot) {
-        const layout::DrawPiece& piece = makes.piece(draws_[slot].piece);
-        const bool ofSky = isOfSky(piece);
-        // The record is an instanced attribute, found by the base instance. Sky objects have none.
-        commands[slot] = {3 * (piece.triangles & ~layout::kNeverCulled), 1, piece.firstIndex, 0,
-                          ofSky ? piece.instance : firstRecord + slot};
-        if (ofSky)
+    for (std::size_t i = 0; i < draws_.size(); ++i) {
+        const layout::DrawPiece& piece = makes.piece(draws_[i].piece);
+        if (isOfSky(piece))
             continue;
         if (piece.instance != last) {
             last = piece.instance;
             record = makes.of(last);
         }
-        records[slot] = record;
-        if (!draws_[slot].gated)
-            records[slot].members.y = 0;
+        records[i] = record;
+        if (!draws_[i].gated)
+            records[i].members.y = 0;
         else if (hasBits)
-            setVisits(makes.visitsTo(last, visits_), records[slot]);
+            setVisits(makes.visitsTo(last, visits_), records[i]);
     }
 }
 

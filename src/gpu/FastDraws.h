@@ -11,6 +11,8 @@ namespace limen::gpu {
 /// are in the second part, too, so that the programs of the first part, which draws trees, have no lamps.
 /// The plan has two batches of opaque surfaces, walls and others, with the ground between them. They are drawn as one,
 /// which saves four calls; the exact way needs the walls first, to leave out what they hide.
+/// Draws of one mesh in a part are one command, an instance for each: drivers on the processor take as long for a command as
+/// for some ten triangles. A command is a slot.
 /// Reuse it: steady frames allocate nothing.
 class FastDraws {
 public:
@@ -21,7 +23,8 @@ public:
     [[nodiscard]] static bool listsMembers(const frame::FramePlan& plan) {
         return !frame::VisitBits::suffice(plan);
     }
-    [[nodiscard]] std::uint32_t slotCount() const { return static_cast<std::uint32_t>(draws_.size()); }
+    /// Draws, each with a record. There are at most as many slots.
+    [[nodiscard]] std::uint32_t drawCount() const { return static_cast<std::uint32_t>(draws_.size()); }
     [[nodiscard]] const BatchSlots& slotsOf(std::size_t batch) const { return slots_[batch]; }
     /// Writes the commands and records of all slots into the frame's ring memory. Arguments as in `prepare`.
     /// `firstRecord`: the base instance of the ring's first record.
@@ -31,15 +34,19 @@ public:
 private:
     /// One draw: a piece of a run.
     struct Draw {
+        std::uint64_t mesh = 0; ///< the piece's first index and triangles
         std::uint32_t piece = 0;
         bool gated = false;
     };
+    /// Adds a part's draws and their commands. `anyOrder`: draws of one mesh are joined.
+    void addPart(std::vector<Draw>& part, bool anyOrder);
     void addRuns(const frame::FramePlan& plan, const frame::Batch& batch, const frame::DrawRecords& makes,
                  BatchSlots& slots);
 
     std::vector<BatchSlots> slots_;
-    std::vector<Draw> draws_;               ///< by slot
-    std::vector<Draw> second_;              ///< of the batch being added
+    std::vector<Draw> draws_;               ///< by record
+    std::vector<std::uint32_t> commands_;   ///< by slot: its first draw
+    std::vector<Draw> part_, second_;       ///< both parts of the batch being added
     std::vector<frame::gpu::Instance> own_; ///< the plan's instances
     frame::VisitBits visits_;
 };

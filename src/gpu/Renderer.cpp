@@ -274,7 +274,7 @@ std::uint32_t Renderer::prepareDraws(const frame::FramePlan& plan, const RenderO
                                      const RenderTarget& target) {
     if (isFast()) {
         fast_->prepare(plan, options, scene_->tables());
-        return fast_->slotCount();
+        return fast_->drawCount();
     }
     culling_->prepare(plan, options, target);
     return culling_->slotCount();
