@@ -16,7 +16,7 @@ bool isOfSky(const layout::DrawPiece& piece) {
 }
 
 std::uint64_t meshOf(const layout::DrawPiece& piece) {
-    return std::uint64_t{piece.firstIndex} << 32 | piece.triangles;
+    return std::uint64_t{~piece.triangles} << 32 | piece.firstIndex;
 }
 
 void setVisits(std::uint64_t visits, layout::DrawRecord& record) {

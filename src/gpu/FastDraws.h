@@ -11,8 +11,8 @@ namespace limen::gpu {
 /// are in the second part, too, so that the programs of the first part, which draws trees, have no lamps.
 /// The plan has two batches of opaque surfaces, walls and others, with the ground between them. They are drawn as one,
 /// which saves four calls; the exact way needs the walls first, to leave out what they hide.
-/// Draws of one mesh in a part are one command, an instance for each: drivers on the processor take as long for a command as
-/// for some ten triangles. A command is a slot.
+/// Draws of one mesh in a part are one command, with an instance for each; large meshes come first (decision 212). A command is
+/// a slot.
 /// Reuse it: steady frames allocate nothing.
 class FastDraws {
 public:
@@ -34,7 +34,7 @@ public:
 private:
     /// One draw: a piece of a run.
     struct Draw {
-        std::uint64_t mesh = 0; ///< the piece's first index and triangles
+        std::uint64_t mesh = 0; ///< the same for all pieces with the same triangles, less for more triangles
         std::uint32_t piece = 0;
         bool gated = false;
     };

@@ -1,6 +1,7 @@
 #include "GlFixture.h"
 #include "gpu/device/NullDevice.h"
 
+#include <cstring>
 #include <set>
 
 namespace limen::gpu::test {
@@ -321,6 +322,64 @@ TEST_F(FastGlTest, aFrameStaysWithinTheBudgetOfCalls_andNullDeviceCountsThemAlik
         }
     }
     EXPECT_EQ(counts.size(), 1u) << "independent of draws and of earlier frames";
+}
+
+/// Twelve walls of one mesh in a row, each with an id of its own, half of them seen through an opening, and a mesh of three
+/// walls above them, before a background.
+SceneBuilder alike() {
+    SceneBuilder scene;
+    scene.root(1);
+    scene.visitThrough({0, -6}, {6, 6}, 4, 2, 0);
+    for (std::uint32_t i = 0; i < 12; ++i) {
+        const std::uint32_t zone = i < 6 ? 1 : 2;
+        scene.addWall('a' + i, {-6, -6}, {-5, 0}, 6,
+                      {.members = {{zone, 0}},
+                       .gated = true,
+                       .rows = {glm::vec4{1, 0, 0, static_cast<float>(i)}, {0, 1, 0, 0}, {0, 0, 1, 0}}});
+        layout::DrawPiece& piece = scene.upload.pieces.back();
+        piece.firstIndex = scene.upload.pieces.front().firstIndex;
+    }
+    const auto column = [](float x) {
+        return std::array<glm::vec3, 4>{glm::vec3{x, 6, 1}, {x + 1, 6, 1}, {x + 1, 6, 5}, {x, 6, 5}};
+    };
+    const std::array<std::array<glm::vec3, 4>, 3> columns{column(-5), column(-3), column(-1)};
+    scene.addQuads('X', columns, {.members = {{1, 0}}, .gated = true});
+    scene.addWall('=', {-9, -9}, {9, 9}, 7, {.members = {{1, 0}, {2, 0}}, .gated = true}); // cracks are filled
+    return scene;
+}
+
+TEST_F(FastGlTest, drawsOfOneMeshShowWhatTheyShowOneByOne) {
+    SceneBuilder scene = alike();
+    const Both both = drawBoth(scene, 64);
+    EXPECT_EQ(both.fast.picture(), both.exact.picture());
+    const std::set<std::uint32_t> shown(both.fast.ids.begin(), both.fast.ids.end());
+    for (std::uint32_t i = 0; i < 12; ++i)
+        EXPECT_EQ(shown.count('a' + i), 1u) << i;
+}
+
+TEST_F(FastGlTest, drawsOfOneMeshAreOneCommand_afterThoseOfLargerMeshes) {
+    SceneBuilder scene = alike();
+    NullDevice null;
+    Renderer renderer(null, fast());
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    Result<RenderTarget> target = RenderTarget::create(null, 8, 8);
+    ASSERT_TRUE(target && renderer.render(scene.finish(), *target));
+    std::vector<layout::DrawCommand> drawn;
+    for (const NullDevice::Command& command : null.commands()) {
+        if (command.kind != NullDevice::CommandKind::DrawIndirect)
+            continue;
+        for (std::size_t i = 0; i < command.b; ++i) {
+            layout::DrawCommand& each = drawn.emplace_back();
+            std::memcpy(&each, null.ring().data() + command.a + i * sizeof each, sizeof each);
+        }
+    }
+    ASSERT_EQ(drawn.size(), 3u);
+    EXPECT_EQ(drawn[0].indexCount, 18u);
+    EXPECT_EQ(drawn[0].instanceCount, 1u);
+    EXPECT_EQ(drawn[1].indexCount, 6u);
+    EXPECT_EQ(drawn[1].instanceCount, 12u);
+    EXPECT_EQ(drawn[1].baseInstance, drawn[0].baseInstance + 1) << "records follow each other";
+    EXPECT_EQ(drawn[2].baseInstance, drawn[1].baseInstance + 12);
 }
 
 // Most vertices are those of cut-outs: plants.
