@@ -22,6 +22,7 @@ void FramePlan::clear() {
     batches.clear();
     stages.clear();
     gate = Gate::Ownership;
+    plainSky = {};
     clips = false;
     spaces.clear();
     firstOccludee = 0;

@@ -141,6 +141,7 @@ struct FramePlan {
     std::vector<Batch> batches;
     std::vector<Stage> stages;      ///< in order
     Gate gate = Gate::Ownership;    ///< that this plan was made for
+    RectRun plainSky{};             ///< objects of the sky cover it elsewhere
     bool clips = false;             ///< clipSets are clip distances; the programs have no ownership test
     std::vector<GatedSpace> spaces; ///< of other gates: in drawing order, far to near, each once
     /// The first batch that occlusion culling applies to. The batches before it are walls and ground, its

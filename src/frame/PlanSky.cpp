@@ -1,7 +1,9 @@
 #include "frame/PlanSky.h"
 
 #include "frame/PlanBatches.h"
+#include "frame/ZoneScreenRects.h"
 #include "world/Ground.h"
+#include "world/SkyCover.h"
 
 #include <cmath>
 
@@ -25,6 +27,8 @@ Vec3 originOfSky(const world::World& world, const visibility::View& view) {
     return view.eye;
 }
 
+constexpr double kSkyMargin = 0.01; ///< NDC
+
 } // namespace
 
 void placeSky(const world::World& world, const FrameView& frame,
@@ -34,6 +38,29 @@ void placeSky(const world::World& world, const FrameView& frame,
                           frame.view.eye.z, frame.view.root == world::kOutside,
                           originOfSky(world, frame.view) - frame.view.eye},
                          placements);
+    world::leaveOutCovered(world.sky, placements);
+}
+
+// In a direction d of the picture, d.z / |d| is the sine of its elevation, and |d| is at least the distance of the plane of all
+// directions. So d is above an elevation below the horizon if d.z is above a constant. It is linear on the screen.
+RectRun plainSkyBelow(double sine, FramePlan& plan) {
+    if (!(sine < 0.0) || plan.rects.size() > kMaxFirstRect)
+        return {};
+    const glm::dmat4 eyeFromClip = glm::inverse(glm::dmat4(plan.constants.clipFromEye));
+    const auto directionAt = [&](double x, double y) {
+        const glm::dvec4 at = eyeFromClip * glm::dvec4(x, y, 1.0, 1.0);
+        return Vec3(at) / at.w;
+    };
+    const Vec3 middle = directionAt(0.0, 0.0);
+    const Vec3 across = directionAt(1.0, 0.0) - middle, up = directionAt(0.0, 1.0) - middle;
+    const double distance = std::abs(glm::dot(glm::normalize(glm::cross(across, up)), middle));
+    if (!(up.z > 0.0))
+        return {};
+    const double highest = (sine * distance - middle.z + std::abs(across.z)) / up.z + kSkyMargin;
+    if (!(highest < 1.0))
+        return {};
+    plan.rects.emplace_back(-1.0f, -1.0f, 1.0f, static_cast<float>(std::max(highest, -1.0)));
+    return {static_cast<std::uint16_t>(plan.rects.size() - 1), 1};
 }
 
 void addSkyObjects(const world::World& world, std::span<const world::SkyPlacement> placements,

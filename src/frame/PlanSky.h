@@ -9,9 +9,13 @@
 
 namespace limen::frame {
 
-/// Overwrites `placements` with the sky objects of a frame.
+/// Overwrites `placements` with the sky objects of a frame, but those that others cover.
 void placeSky(const world::World& world, const FrameView& frame,
               std::vector<world::SkyPlacement>& placements);
+
+/// A rectangle of FramePlan::rects that contains all directions at or below an elevation with this sine; the whole window for 0
+/// and more. Adds it to the plan, whose constants have the projection.
+[[nodiscard]] RectRun plainSkyBelow(double sine, FramePlan& plan);
 
 /// Some objects of the sky, and the clip set of their draws.
 struct SkyShare {

@@ -9,6 +9,7 @@
 #include "frame/PlanDynamics.h"
 #include "frame/PlanSky.h"
 #include "frame/gates/GatePlanner.h"
+#include "world/SkyCover.h"
 
 #include <algorithm>
 
@@ -217,6 +218,7 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
     const bool overLand = std::any_of(sky_.begin(), sky_.end(),
                                       [](const world::SkyPlacement& placed) { return placed.isOverLand; });
     beginBatch(Program::SkyObjects, several && (overLand || !frame.fillsVoids), plan);
+    plan.plainSky = plainSkyBelow(world::coveredFrom(world_.sky, sky_), plan);
     for (const bool isOverLand : {false, true})
         addSkyObjects(world_, sky_, {isOverLand}, plan);
 }

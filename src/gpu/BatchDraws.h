@@ -21,6 +21,8 @@ struct FrameKind {
     bool clipped = false;                            ///< FramePlan::clips
     /// DriverChoices::overlaps, in a frame with colour and depth alone. Its solid pass clears both in one call.
     bool overlaps = false;
+    /// FramePlan::plainSky, in a fast frame with the objects of the sky and without ids.
+    frame::RectRun plainSky{};
     bool manyVisits = false; ///< more than frame::VisitBits has bits for
     RenderOptions options{};
 };

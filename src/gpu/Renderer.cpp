@@ -94,6 +94,11 @@ bool splitsSurfaces(const RenderOptions& options) {
     return options.shading == Shading::Lit && !options.wantIds && !options.wantLayers;
 }
 
+/// Whether objects of the sky may stand for the plain sky: it has an id of its own.
+bool showsCover(const frame::FramePlan& plan, const RenderOptions& options) {
+    return options.shading == Shading::Lit && !options.wantIds && !options.wantLayers && !plan.clips;
+}
+
 glm::vec4 clearColour(const frame::FramePlan& plan, const RenderOptions& options) {
     if (!isFlat(options))
         return plan.constants.voidColour;
@@ -246,6 +251,7 @@ FrameKind Renderer::kindOf(const frame::FramePlan& plan, const RenderTarget& tar
             .clipped = plan.clips,
             .overlaps = choices().overlaps && plan.gate == frame::Gate::Ownership && !options.wantIds &&
                         !options.wantLayers,
+            .plainSky = isFast() && showsCover(plan, options) ? plan.plainSky : frame::RectRun(),
             .manyVisits = FastDraws::listsMembers(plan),
             .options = options};
 }
@@ -329,6 +335,8 @@ void Renderer::drawPlainSky(const frame::Batch& batch, bool voids, const FrameKi
         device_->readDrawn();
     if (voids && batch.count > 0)
         device_->drawVertices(layout::kSkyRectVertices + 6 * batch.first, 6 * batch.count);
+    else if (!voids && frame.plainSky.count > 0)
+        device_->drawVertices(layout::kSkyRectVertices + 6 * frame.plainSky.first, 6 * frame.plainSky.count);
     else if (frame.clipped)
         device_->drawVertices(3 * batch.first, 3 * batch.draws);
     else

@@ -21,6 +21,12 @@ struct SkyPart {
     /// The model of some keyframes that replaces the object's own, if this mesh belongs to it; 0: the own
     /// model.
     std::uint32_t replacement = 0;
+
+    // world/SkyCover.h
+    static constexpr double kCoversNothing = 2.0;
+    bool isOpaque = false;              ///< every triangle, if the object is not transparent
+    double coversFrom = kCoversNothing; ///< opaque and in its own pose: coveredFrom of its triangles
+    std::uint32_t shape = 0;            ///< the first part with the same triangles
 };
 
 /// Particles that fall around the eye while a sky object is shown (SkyObject::script).

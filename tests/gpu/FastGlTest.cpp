@@ -305,7 +305,8 @@ TEST_F(FastGlTest, aFrameStaysWithinTheBudgetOfCalls_andNullDeviceCountsThemAlik
                           {.members = {{1, 0}}, .gated = i % 2 == 0});
         scene.upload.terrainCells.resize(1);
         scene.upload.terrainCells[0].base = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
-        scene.plan.constants.voidColour = StateTracker::kFirstClearColour; // another takes a call more in the first frame
+        scene.plan.constants.voidColour =
+            StateTracker::kFirstClearColour; // another takes a call more in the first frame
         const frame::FramePlan& plan = scene.finish(true);
         NullDevice null(device_->capabilities());
         Renderer real(*device_, fast()), recorded(null, fast());
@@ -344,7 +345,8 @@ SceneBuilder alike() {
     };
     const std::array<std::array<glm::vec3, 4>, 3> columns{column(-5), column(-3), column(-1)};
     scene.addQuads('X', columns, {.members = {{1, 0}}, .gated = true});
-    scene.addWall('=', {-9, -9}, {9, 9}, 7, {.members = {{1, 0}, {2, 0}}, .gated = true}); // cracks are filled
+    scene.addWall('=', {-9, -9}, {9, 9}, 7,
+                  {.members = {{1, 0}, {2, 0}}, .gated = true}); // cracks are filled
     return scene;
 }
 
@@ -421,7 +423,8 @@ TEST_F(FastGlTest, pixelsWithoutASurfaceHaveTheColourOfTheFramesOwnPlan) {
     scene.root(1);
     scene.addWall('A', {0, -9}, {9, 9}, 2, {.members = {{1, 0}}});
     scene.finish();
-    std::erase_if(scene.plan.stages, [](const frame::Stage& stage) { return stage.kind == frame::StageKind::Sky; });
+    std::erase_if(scene.plan.stages,
+                  [](const frame::Stage& stage) { return stage.kind == frame::StageKind::Sky; });
     Renderer renderer(*device_, fast());
     ASSERT_TRUE(renderer.upload(scene.upload));
     for (const layout::vec4& colour :

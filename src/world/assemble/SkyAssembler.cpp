@@ -1,5 +1,7 @@
 #include "world/assemble/SkyAssembler.h"
 
+#include "world/SkyCover.h"
+
 #include <set>
 
 namespace limen::world {
@@ -28,6 +30,7 @@ void SkyAssembler::add(const dat::SkyDesc& sky) {
             }
         }
     }
+    findSkyCover(world_);
 }
 
 void SkyAssembler::addParts(const SkyPart& part, dat::RecordId model) {
