@@ -2,6 +2,7 @@
 #include "gpu/device/NullDevice.h"
 
 #include <cstring>
+#include <map>
 #include <set>
 
 namespace limen::gpu::test {
@@ -434,6 +435,36 @@ TEST_F(FastGlTest, pixelsWithoutASurfaceHaveTheColourOfTheFramesOwnPlan) {
         for (int channel = 0; channel < 4; ++channel)
             EXPECT_EQ(frame.colour[static_cast<std::size_t>(channel)], std::lround(255 * colour[channel]));
     }
+}
+
+// Objects of the sky cover the upper half, and the plain sky is drawn below it alone, but in frames with ids.
+TEST_F(FastGlTest, thePlainSkyIsDrawnInItsRectangle_andEverywhereIfItsIdIsWanted) {
+    SceneBuilder scene;
+    scene.root(0);
+    scene.plan.constants.fogColour = scene.plan.constants.skyZenith = {0, 0, 1, 1};
+    scene.plan.constants.voidColour = {1, 0, 0, 1};
+    const std::uint32_t plain = scene.addMaterial({0, 1, 0, 1});
+    scene.addSky({-1, 0}, {1, 1}, 1, plain, 1.0f);
+    scene.finish();
+    Renderer renderer(*device_, fast());
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    const auto coloursOf = [&](bool wantIds) {
+        const Frame frame = renderWith(renderer, scene.plan, 8, 8, {.wantIds = wantIds});
+        std::map<std::array<std::uint8_t, 3>, int> colours;
+        for (std::size_t i = 0; i < frame.colour.size(); i += 4)
+            ++colours[{frame.colour[i], frame.colour[i + 1], frame.colour[i + 2]}];
+        return colours;
+    };
+    using Colours = std::map<std::array<std::uint8_t, 3>, int>;
+    const Colours whole{{{0, 255, 0}, 32}, {{0, 0, 255}, 32}};
+    EXPECT_EQ(coloursOf(false), whole);
+    scene.plan.rects = {{-1, -1, 1, 0}};
+    scene.plan.plainSky = {0, 1};
+    EXPECT_EQ(coloursOf(false), whole);
+    scene.plan.rects = {{-1, -1, 1, -0.5f}};
+    const Colours less{{{0, 255, 0}, 32}, {{0, 0, 255}, 16}, {{255, 0, 0}, 16}};
+    EXPECT_EQ(coloursOf(false), less) << "the plan says that objects cover the rest";
+    EXPECT_EQ(coloursOf(true), whole);
 }
 
 TEST_F(FastGlTest, multisampledFramesShowTheSame) {
