@@ -346,20 +346,22 @@ TEST_P(CasesNear, case52_anEyeAtAnInexactPairThatIsNotFlat) {
         PictureWorld pictures(rooms.world, options());
         const Vec3 home = pictures.homeOrigin(), start(82, 82, -10.5);
         const world::SpaceIndex a = pictures.space(rooms.world.id(rooms.a));
+        std::uint64_t wrong = 0;
         for (const std::vector<Vec3>& opening : rooms.opening) {
-            for (std::size_t i = 0; i < opening.size(); ++i) {
+            for (std::size_t i = 0; i < opening.size(); i += 2) {
                 const Vec3 &from = opening[i], &to = opening[(i + 1) % opening.size()];
-                for (const double aside : {-3e-3, -2e-5, 2e-5, 3e-3}) {
+                for (const double aside : {-2e-5, 2e-5, 3e-3}) {
                     const Vec3 on = from + (to - from) * 0.3, inwards = glm::normalize(Vec3(0, 82.01, -10.49) - Vec3(0, on.y, on.z));
-                    for (const double past : {-1.0, -0.1, -0.01, 0.01, 0.1, 1.0}) {
+                    for (const double past : {-0.6, -0.05, 0.05, 0.6}) {
                         const Vec3 eye = Vec3(84 + off * past, on.y, on.z) + inwards * aside;
                         const world::SpaceIndex root = motion::sweep(pictures.world(), a, home + start, home + eye);
                         for (const double yaw : {2.0, 88.0, 179.0, 271.0})
-                            pictures.expectClean(pictures.look(eye, yaw, 3, root));
+                            wrong += pictures.judge(pictures.shoot(pictures.look(eye, yaw, 3, root))).findings();
                     }
                 }
             }
         }
+        EXPECT_EQ(wrong, 0u) << off;
     }
 }
 
