@@ -65,7 +65,8 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, const Scre
     if (side < -kInPlaneTolerance)
         return refuse(PortalFate::WrongSide);
     ++set_.counts.portalsTested;
-    const bool inPlane = in_.rules.halfPlane && visit.inPlane && isLeftAtEye(in_.graph, portalIndex, in_.view.eye);
+    const bool inPlane =
+        in_.rules.halfPlane && visit.inPlane && isLeftAtEye(in_.graph, portalIndex, in_.view.eye);
     if (inPlane && !isShut)
         admitAtEye<kTraced>(index, portalIndex, children);
     // From another space of the zone the rays come to the opening later.
@@ -172,7 +173,8 @@ void Admission::add(Candidate c, bool hole, CandidateList& children) const {
 /// it.
 bool Admission::isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const {
     return !portal.exact && portal.reciprocal != kNone &&
-           !(in_.rules.halfPlane && visit.inPlane && holdsEye(in_.graph, in_.graph.portals()[portal.reciprocal], in_.view.eye, -1.0));
+           !(in_.rules.halfPlane && visit.inPlane &&
+             holdsEye(in_.graph, in_.graph.portals()[portal.reciprocal], in_.view.eye, -1.0));
 }
 
 bool Admission::isWayBack(const Visit& visit, std::uint32_t portal) const {

@@ -17,7 +17,8 @@ struct FloodInput;
 class EyePaths {
 public:
     /// Finds the parts of the visit's region whose rays leave by `portal` at the eye. Requires isLeftAtEye.
-    void find(const FloodInput& input, const Visit& visit, std::span<const Vec3> region, std::uint32_t portal);
+    void find(const FloodInput& input, const Visit& visit, std::span<const Vec3> region,
+              std::uint32_t portal);
     [[nodiscard]] std::span<const std::vector<Vec3>> found() const { return {found_.data(), foundCount_}; }
 
 private:

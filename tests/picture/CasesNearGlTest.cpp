@@ -351,12 +351,15 @@ TEST_P(CasesNear, case52_anEyeAtAnInexactPairThatIsNotFlat) {
             for (std::size_t i = 0; i < opening.size(); i += 2) {
                 const Vec3 &from = opening[i], &to = opening[(i + 1) % opening.size()];
                 for (const double aside : {-2e-5, 2e-5, 3e-3}) {
-                    const Vec3 on = from + (to - from) * 0.3, inwards = glm::normalize(Vec3(0, 82.01, -10.49) - Vec3(0, on.y, on.z));
+                    const Vec3 on = from + (to - from) * 0.3,
+                               inwards = glm::normalize(Vec3(0, 82.01, -10.49) - Vec3(0, on.y, on.z));
                     for (const double past : {-0.6, -0.05, 0.05, 0.6}) {
                         const Vec3 eye = Vec3(84 + off * past, on.y, on.z) + inwards * aside;
-                        const world::SpaceIndex root = motion::sweep(pictures.world(), a, home + start, home + eye);
+                        const world::SpaceIndex root =
+                            motion::sweep(pictures.world(), a, home + start, home + eye);
                         for (const double yaw : {2.0, 88.0, 179.0, 271.0})
-                            wrong += pictures.judge(pictures.shoot(pictures.look(eye, yaw, 3, root))).findings();
+                            wrong +=
+                                pictures.judge(pictures.shoot(pictures.look(eye, yaw, 3, root))).findings();
                     }
                 }
             }

@@ -21,7 +21,8 @@ Loop bentPolygon(const Vec3& middle, double radius, int corners, double off, std
     Loop polygon;
     for (int i = 0; i < corners; ++i) {
         const double angle = 6.283185307179586 * i / corners + 0.1;
-        polygon.push_back(middle + Vec3(radius * std::cos(angle), radius * std::sin(angle), off > 0 ? height(random) : 0));
+        polygon.push_back(
+            middle + Vec3(radius * std::cos(angle), radius * std::sin(angle), off > 0 ? height(random) : 0));
     }
     return polygon;
 }
@@ -63,7 +64,8 @@ void expectBorder(const OpeningOverlay& parts, const Loops& own, const Loop& out
         double beside = 1.0;
         for (std::size_t i = 0; i < outline.size(); ++i) {
             const Vec3 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-            const double excess = glm::length(from - a) + glm::length(to - from) + glm::length(b - to) - glm::length(b - a);
+            const double excess =
+                glm::length(from - a) + glm::length(to - from) + glm::length(b - to) - glm::length(b - a);
             beside = std::min(beside, excess);
         }
         EXPECT_LT(beside, 1e-6);
@@ -104,7 +106,8 @@ TEST(OpeningOverlay, closesBothOutlinesIfTheirEdgesMissEachOther) {
 
 TEST(OpeningOverlay, ofOneOutlineWithinAnotherHasARingOfSimpleParts) {
     std::mt19937 random(2);
-    const Loop outer = bentPolygon({0, 0, 0}, 2.0, 7, 0.001, random), inner = bentPolygon({0.2, 0.1, 0}, 1.0, 5, 0.001, random);
+    const Loop outer = bentPolygon({0, 0, 0}, 2.0, 7, 0.001, random),
+               inner = bentPolygon({0.2, 0.1, 0}, 1.0, 5, 0.001, random);
     const auto parts = overlayOpenings(outer, inner, kUp), swapped = overlayOpenings(inner, outer, kUp);
     ASSERT_TRUE(parts && swapped);
     EXPECT_EQ(parts->first.size(), 2u);
@@ -130,7 +133,8 @@ TEST(OpeningOverlay, keepsCommonEdgesAndVertices) {
 }
 
 TEST(OpeningOverlay, mayHaveAVertexOnTheOthersEdgeAsSeenAlongTheNormal) {
-    const Loop a{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}}, b{{1, 0, 0.001}, {1.5, 0.5, 0}, {1, 1, 0}, {0.5, 0.5, 0}};
+    const Loop a{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
+        b{{1, 0, 0.001}, {1.5, 0.5, 0}, {1, 1, 0}, {0.5, 0.5, 0}};
     const auto parts = overlayOpenings(a, b, kUp);
     ASSERT_TRUE(parts);
     expectBorder(*parts, parts->first, a);

@@ -67,7 +67,8 @@ TrianglePoints turned(const TrianglePoints& triangle) {
 }
 
 /// None if a loop cannot be triangulated.
-std::optional<std::vector<TrianglePoints>> trianglesOf(std::span<const OpeningOverlay::Loop> loops, const Vec3& normal) {
+std::optional<std::vector<TrianglePoints>> trianglesOf(std::span<const OpeningOverlay::Loop> loops,
+                                                       const Vec3& normal) {
     std::vector<TrianglePoints> triangles;
     std::vector<TriangleCorners> corners;
     for (const OpeningOverlay::Loop& loop : loops) {
@@ -136,7 +137,8 @@ public:
             return;
         for (const auto& [i, j, k] : trianglesOf(front)) {
             parts_[a].push_back(partOf(front, {front.points[i], front.points[j], front.points[k]}));
-            parts_[b].push_back(partOf(back, {back.points[same[k]], back.points[same[j]], back.points[same[i]]}));
+            parts_[b].push_back(
+                partOf(back, {back.points[same[k]], back.points[same[j]], back.points[same[i]]}));
         }
     }
 

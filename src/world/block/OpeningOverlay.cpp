@@ -46,7 +46,7 @@ bool windsAround(std::span<const Vec2> points, std::span<const std::uint32_t> lo
 /// Two edges, one of each outline, that cross on the plane.
 struct EdgeCrossing {
     std::array<std::size_t, 2> edge{};
-    std::array<double, 2> at{};          ///< share of the edge
+    std::array<double, 2> at{};        ///< share of the edge
     std::array<bool, 2> runsInwards{}; ///< the edge runs into the other outline here
     double gap = 0.0;                  ///< metres in space
     std::array<Vec3, 2> vertex{};      ///< of each edge; equal if the edges meet in space
@@ -120,8 +120,10 @@ private:
         const auto [c, d] = edgeOf(1, j);
         if (a == c || a == d || b == c || b == d)
             return;
-        const double sideA = orient(flat_[c], flat_[d], flat_[a]), sideB = orient(flat_[c], flat_[d], flat_[b]),
-                     sideC = orient(flat_[a], flat_[b], flat_[c]), sideD = orient(flat_[a], flat_[b], flat_[d]);
+        const double sideA = orient(flat_[c], flat_[d], flat_[a]),
+                     sideB = orient(flat_[c], flat_[d], flat_[b]),
+                     sideC = orient(flat_[a], flat_[b], flat_[c]),
+                     sideD = orient(flat_[a], flat_[b], flat_[d]);
         if ((sideA >= 0.0) == (sideB >= 0.0) || (sideC >= 0.0) == (sideD >= 0.0))
             return;
         EdgeCrossing found;
@@ -159,8 +161,9 @@ private:
                                          pointOn(1, crossing.edge[1], crossing.at[1])};
             const Vec3 middle = (on[0] + on[1]) * 0.5;
             for (std::size_t side = 0; side < 2; ++side)
-                crossing.vertex[side] = crossing.gap <= kMeet ? middle
-                                                              : pointOn(side, crossing.edge[side], shifted(side, crossing));
+                crossing.vertex[side] = crossing.gap <= kMeet
+                                            ? middle
+                                            : pointOn(side, crossing.edge[side], shifted(side, crossing));
         }
         for (EdgeCrossing& crossing : crossings_)
             crossing.number = add(pointOn(0, crossing.edge[0], crossing.at[0]));
@@ -195,8 +198,10 @@ private:
             const auto [c, d] = bridge;
             if (a == c || a == d || b == c || b == d)
                 return false;
-            return (orient(flat_[a], flat_[b], flat_[c]) >= 0.0) != (orient(flat_[a], flat_[b], flat_[d]) >= 0.0) &&
-                   (orient(flat_[c], flat_[d], flat_[a]) >= 0.0) != (orient(flat_[c], flat_[d], flat_[b]) >= 0.0);
+            return (orient(flat_[a], flat_[b], flat_[c]) >= 0.0) !=
+                       (orient(flat_[a], flat_[b], flat_[d]) >= 0.0) &&
+                   (orient(flat_[c], flat_[d], flat_[a]) >= 0.0) !=
+                       (orient(flat_[c], flat_[d], flat_[b]) >= 0.0);
         });
     }
 
@@ -212,7 +217,8 @@ private:
             const auto touches = [&ends = bridge](const Key& other) {
                 return other.first == ends.first || other.second == ends.second;
             };
-            if (taken.size() == 2 || std::any_of(taken.begin(), taken.end(), touches) || crossesAnEdge(bridge))
+            if (taken.size() == 2 || std::any_of(taken.begin(), taken.end(), touches) ||
+                crossesAnEdge(bridge))
                 continue;
             ways_[keyOf(bridge.first, bridge.second)] = {};
             taken.push_back(bridge);
@@ -265,7 +271,9 @@ private:
                 area[side] += inside[side] ? areaOfLoop(flat_, face) : 0.0;
             if (!inside[0] && !inside[1])
                 continue;
-            (inside[0] && inside[1] ? parts.common : inside[0] ? parts.first : parts.second)
+            (inside[0] && inside[1] ? parts.common
+             : inside[0]            ? parts.first
+                                    : parts.second)
                 .push_back(inSpace(face));
         }
         return std::abs(area[0] - areaOfLoop(flat_, chain_[0])) <= kAreaRounding &&

@@ -21,7 +21,7 @@ struct OpeningOverlay {
 /// kept to the bit. Two edges that cross on the plane may pass each other in space, by a gap. Then each gets a vertex,
 /// half the gap inside the other outline, and an edge joins the two. nullopt: there is no common part, or the
 /// outlines are not simple polygons.
-[[nodiscard]] std::optional<OpeningOverlay>
-overlayOpenings(std::span<const Vec3> first, std::span<const Vec3> second, const Vec3& normal);
+[[nodiscard]] std::optional<OpeningOverlay> overlayOpenings(std::span<const Vec3> first,
+                                                            std::span<const Vec3> second, const Vec3& normal);
 
 } // namespace limen::world
