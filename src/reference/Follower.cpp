@@ -9,6 +9,9 @@ namespace limen::reference {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Metres along the ray. Nearer meetings with one polygon are one: with a triangle in the spaces on both sides of an
+/// opening, or with two triangles on their common edge.
+constexpr double kSameMeeting = 1e-6;
 
 } // namespace
 
@@ -45,7 +48,7 @@ void Follower::meetSurfaces(const Visit& visit, double most) {
 }
 
 /// Of all surfaces in a portal's plane the filling is met first, so a pane counts as the tolerance nearer
-/// than it is.
+/// than it is. A ray can meet two triangles of a polygon that is not flat: they are two layers.
 void Follower::meetLayer(const Triangle& triangle, bool isFilling, double t) {
     if (isFilling) {
         const Vec3 normal = glm::cross(triangle.b - triangle.a, triangle.c - triangle.a);
@@ -53,8 +56,10 @@ void Follower::meetLayer(const Triangle& triangle, bool isFilling, double t) {
     }
     if (t > nearest_.t)
         return;
-    const auto known =
-        std::find_if(layers_.begin(), layers_.end(), [&](const Layer& l) { return l.id == triangle.id; });
+    const double same = kSameMeeting / glm::length(ray_.direction);
+    const auto known = std::find_if(layers_.begin(), layers_.end(), [&](const Layer& layer) {
+        return layer.id == triangle.id && std::abs(layer.t - t) <= same;
+    });
     if (known == layers_.end())
         layers_.push_back({triangle.id, t});
     else

@@ -65,21 +65,47 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, const Scre
     if (side < -kInPlaneTolerance)
         return refuse(PortalFate::WrongSide);
     ++set_.counts.portalsTested;
-    const bool inPlane = in_.rules.halfPlane && visit.inPlane && holdsEye(portal, 1.0) &&
-                         (side >= -portal.inPlane || isNearestOpening(in_.graph, portalIndex, in_.view.eye));
-    if (inPlane ? isShut : side <= 0.0)
+    const bool inPlane =
+        in_.rules.halfPlane && visit.inPlane && isLeftAtEye(in_.graph, portalIndex, in_.view.eye);
+    if (inPlane && !isShut)
+        admitAtEye<kTraced>(index, portalIndex, children);
+    // From another space of the zone the rays come to the opening later.
+    const bool isLeft = inPlane && portal.space == visit.space;
+    if (isLeft ? isShut : side <= 0.0)
         return refuse(PortalFate::EdgeOn); // or seen from behind: no ray of this visit passes
-    if (inPlane ? !halfRegion(visit, portal) : !openingRegion(index, portal, known)) {
-        if constexpr (kTraced)
-            refuse(whyUnseen(index, portalIndex));
+    if (isLeft)
         return;
+    if (openingRegion(index, portal, known))
+        return leave<kTraced>(index, portalIndex, false, children);
+    if constexpr (kTraced)
+        refuse(whyUnseen(index, portalIndex));
+}
+
+/// The candidates for rays that leave by the portal at the eye.
+template <bool kTraced>
+void Admission::admitAtEye(std::uint32_t index, std::uint32_t portal, CandidateList& children) {
+    const Visit& visit = set_.visits[index];
+    s_.paths.find(in_, visit, set_.region(visit), portal);
+    for (const std::vector<Vec3>& region : s_.paths.found()) {
+        s_.region.assign(region.begin(), region.end());
+        leave<kTraced>(index, portal, true, children);
     }
+    if constexpr (kTraced)
+        if (s_.paths.found().empty())
+            note<kTraced>(in_.trace, index, portal, whyUnseen(index, portal));
+}
+
+/// Appends the candidates for the rays in s_.region.
+template <bool kTraced>
+void Admission::leave(std::uint32_t index, std::uint32_t portalIndex, bool inPlane, CandidateList& children) {
+    const Visit& visit = set_.visits[index];
+    const Graph::Portal& portal = in_.graph.portals()[portalIndex];
     if (smallest_ > 0.0 && coneSize(s_.region) < smallest_) {
         ++set_.counts.visitsCut;
-        return refuse(PortalFate::Budget);
+        return note<kTraced>(in_.trace, index, portalIndex, PortalFate::Budget);
     }
     if (isInChain(index, portalIndex)) // last, because few openings get this far
-        return refuse(PortalFate::InChain);
+        return note<kTraced>(in_.trace, index, portalIndex, PortalFate::InChain);
     ++set_.counts.portalsAdmitted;
     Candidate c;
     c.portal = portalIndex;
@@ -87,8 +113,8 @@ void Admission::admit(std::uint32_t index, std::uint32_t portalIndex, const Scre
     c.entryPlane = portal.plane.relativeTo(in_.view.eye).flipped();
     c.planeOnScreen = in_.eyeFromScreenTransposed * c.entryPlane.n;
     c.inPlane = inPlane;
-    c.shut = isShut;
-    if (isEnd)
+    c.shut = !in_.closed.empty() && in_.closed[portalIndex] != 0;
+    if (c.shut || portal.destination == kNone)
         add(c, true, children);
     else
         addPair(visit, c, children);
@@ -143,19 +169,12 @@ void Admission::add(Candidate c, bool hole, CandidateList& children) const {
     children.add(c, s_.region);
 }
 
-/// True if the eye is in the portal's plane, inside the opening. `way`: 1 for rays out of its space, -1 for
-/// rays into it.
-bool Admission::holdsEye(const Graph::Portal& portal, double way) const {
-    const double side = way * portal.plane.signedDistance(in_.view.eye);
-    return side >= -kInPlaneTolerance && side <= portal.inPlane &&
-           containsProjection(in_.graph.polygon(portal), portal.plane.n, in_.view.eye, 0.0);
-}
-
 /// True if the reciprocal's polygon bounds the opening, too. An eye inside the reciprocal is already through
 /// it.
 bool Admission::isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const {
     return !portal.exact && portal.reciprocal != kNone &&
-           !(in_.rules.halfPlane && visit.inPlane && holdsEye(in_.graph.portals()[portal.reciprocal], -1.0));
+           !(in_.rules.halfPlane && visit.inPlane &&
+             holdsEye(in_.graph, in_.graph.portals()[portal.reciprocal], in_.view.eye, -1.0));
 }
 
 bool Admission::isWayBack(const Visit& visit, std::uint32_t portal) const {
@@ -178,13 +197,6 @@ bool Admission::isInChain(std::uint32_t visit, std::uint32_t portal) const {
         if (set_.visits[visit].portal == portal)
             return true;
     return false;
-}
-
-/// The half of the visit's region on the far side of the portal's plane, into s_.region.
-bool Admission::halfRegion(const Visit& visit, const Graph::Portal& portal) {
-    clipByEyePlane(set_.region(visit), in_.eyeFromScreenTransposed * -portal.plane.n, s_.region);
-    tidyRegion(s_.region);
-    return !s_.region.empty();
 }
 
 /// The part of the opening that the visit's rays reach, into s_.region.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/Candidate.h"
+#include "visibility/EyePaths.h"
 #include "visibility/FloodTrace.h"
 #include "visibility/Graph.h"
 #include "visibility/ScreenOpenings.h"
@@ -36,6 +37,7 @@ public:
     /// Buffers for clipping, kept for their capacity.
     struct Scratch {
         std::vector<Vec3> relative, beyond, region, whole, swap;
+        EyePaths paths;
         std::vector<Summary> summaries; ///< by visit
     };
 
@@ -58,11 +60,13 @@ public:
     [[nodiscard]] PortalFate whyUnseen(std::uint32_t visit, std::uint32_t portal) const;
 
 private:
+    template <bool kTraced>
+    void admitAtEye(std::uint32_t index, std::uint32_t portal, CandidateList& children);
+    template <bool kTraced>
+    void leave(std::uint32_t index, std::uint32_t portal, bool inPlane, CandidateList& children);
     [[nodiscard]] bool isWayBack(const Visit& visit, std::uint32_t portal) const;
     [[nodiscard]] bool isInChain(std::uint32_t visit, std::uint32_t portal) const;
-    [[nodiscard]] bool holdsEye(const Graph::Portal& portal, double way) const;
     [[nodiscard]] bool isCutByReciprocal(const Visit& visit, const Graph::Portal& portal) const;
-    [[nodiscard]] bool halfRegion(const Visit& visit, const Graph::Portal& portal);
     [[nodiscard]] bool openingRegion(std::uint32_t index, const Graph::Portal& portal,
                                      const ScreenOpenings::Exit* known);
     void clipByReciprocal(const Graph::Portal& reciprocal);

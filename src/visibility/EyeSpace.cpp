@@ -43,6 +43,17 @@ bool isNearestOpening(const Graph& graph, std::uint32_t index, const Vec3& eye) 
     return true;
 }
 
+bool holdsEye(const Graph& graph, const Graph::Portal& portal, const Vec3& eye, double way) {
+    const double side = way * portal.plane.signedDistance(eye);
+    return side >= -kInPlaneTolerance && side <= portal.inPlane && isInside(graph, portal, eye);
+}
+
+bool isLeftAtEye(const Graph& graph, std::uint32_t index, const Vec3& eye) {
+    const Graph::Portal& portal = graph.portals()[index];
+    return portal.plane.n != Vec3(0.0) && holdsEye(graph, portal, eye, 1.0) &&
+           (portal.plane.signedDistance(eye) >= -portal.inPlane || isNearestOpening(graph, index, eye));
+}
+
 std::uint32_t spaceOfEye(const Graph& graph, const Vec3& eye, std::uint32_t root) {
     std::uint32_t space = root, cameBy = kNone;
     for (int passed = 0; passed < kMostPassed; ++passed) {

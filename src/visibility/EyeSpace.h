@@ -13,4 +13,10 @@ namespace limen::visibility {
 /// meet at a sharp edge, as the parts of a bent one do, the nearest tells the side of the eye.
 [[nodiscard]] bool isNearestOpening(const Graph& graph, std::uint32_t portal, const Vec3& eye);
 
+/// Whether the eye is in the portal's plane and inside the opening. `way`: 1 for rays out of its space, -1 for rays into it.
+[[nodiscard]] bool holdsEye(const Graph& graph, const Graph::Portal& portal, const Vec3& eye, double way);
+
+/// Whether rays out of the portal's space leave by it at the eye, if they point outwards: the eye is in its plane, or has passed it.
+[[nodiscard]] bool isLeftAtEye(const Graph& graph, std::uint32_t portal, const Vec3& eye);
+
 } // namespace limen::visibility

@@ -1,5 +1,6 @@
-// Hard cases 45 to 51 of docs/cases.md: cells that overlap in a loop, walls a millimetre apart, bent openings, holes of
-// inexact pairs, a wall below a shut door, a cell without depth.
+// Hard cases 45 to 52 of docs/cases.md: cells that overlap in a loop, walls a millimetre apart, bent openings, holes of
+// inexact pairs, a wall below a shut door, a cell without depth,
+// inexact pairs that are not flat.
 #include "motion/Locate.h"
 #include "picture/CaseHelp.h"
 #include "picture/Naming.h"
@@ -315,6 +316,55 @@ TEST_P(CasesNear, case51_aRoomWithoutDepthBetweenTwoOpenings) {
             const Picture picture = pictures.expectClean(pictures.look(eye, yaw, 3, space));
             EXPECT_GT(pixelsOfRecord(pictures, picture, world.id(far)), 200u) << eye.x << " " << yaw;
         }
+    }
+}
+
+/// Two rooms with an inexact pair between them. Its corners are off their planes, each side's by other amounts.
+struct BentInexactRooms {
+    TestWorld world;
+    TestWorld::Cell a = world.addBox({80, 80, -12}, {84, 84, -9}, "brown"),
+                    b = world.addBox({84, 80, -12}, {88, 84, -9}, "blue");
+    std::array<std::vector<Vec3>, 2> opening{regularPolygon({84, 82, -10.5}, {1, 0, 0}, 1.1, 5),
+                                             regularPolygon({84, 82.03, -10.48}, {1, 0, 0}, 1.1, 5)};
+
+    explicit BentInexactRooms(double off) {
+        constexpr std::array kOff{1.0, -0.7, 0.2, 0.9, -1.0};
+        for (std::size_t side = 0; side < 2; ++side)
+            for (std::size_t i = 0; i < 5; ++i)
+                opening[side][i].x += off * kOff[(i + 2 * side) % 5];
+        TestWorld::LinkOptions options;
+        options.exact = false;
+        options.polygonInB = opening[1];
+        world.link(a, opening[0], b, options);
+    }
+};
+
+// The eye is nearer to the plane than the corners, inside and outside of an edge: of the opening, or of the other side's.
+TEST_P(CasesNear, case52_anEyeAtAnInexactPairThatIsNotFlat) {
+    for (const double off : {1e-4, 1e-3}) {
+        BentInexactRooms rooms(off);
+        PictureWorld pictures(rooms.world, options());
+        const Vec3 home = pictures.homeOrigin(), start(82, 82, -10.5);
+        const world::SpaceIndex a = pictures.space(rooms.world.id(rooms.a));
+        std::uint64_t wrong = 0;
+        for (const std::vector<Vec3>& opening : rooms.opening) {
+            for (std::size_t i = 0; i < opening.size(); i += 2) {
+                const Vec3 &from = opening[i], &to = opening[(i + 1) % opening.size()];
+                for (const double aside : {-2e-5, 2e-5, 3e-3}) {
+                    const Vec3 on = from + (to - from) * 0.3,
+                               inwards = glm::normalize(Vec3(0, 82.01, -10.49) - Vec3(0, on.y, on.z));
+                    for (const double past : {-0.6, -0.05, 0.05, 0.6}) {
+                        const Vec3 eye = Vec3(84 + off * past, on.y, on.z) + inwards * aside;
+                        const world::SpaceIndex root =
+                            motion::sweep(pictures.world(), a, home + start, home + eye);
+                        for (const double yaw : {2.0, 88.0, 179.0, 271.0})
+                            wrong +=
+                                pictures.judge(pictures.shoot(pictures.look(eye, yaw, 3, root))).findings();
+                    }
+                }
+            }
+        }
+        EXPECT_EQ(wrong, 0u) << off;
     }
 }
 

@@ -247,6 +247,30 @@ TEST(Layers, staticPanesCountOncePerPolygonWhateverTheirTriangles) {
     }
 }
 
+// Two ridges across a pane: a ray along it can pass the first one and the second one.
+TEST(Layers, aPaneThatIsNotFlatCountsAsOftenAsARayMeetsIt) {
+    TestWorld source;
+    source.solid("glass", 0x80FFFFFFu, dat::Surface::kTranslucent, 0.5f);
+    const auto cell = source.addBox({0, 0, 10}, {4, 4, 14});
+    std::vector<Vec3> ridges;
+    for (const double y : {-0.5, 0.5})
+        for (int i = 0; i < 4; ++i)
+            ridges.emplace_back(y < 0.0 ? i - 1.5 : 1.5 - i, y, (i % 2 == 0) == (y < 0.0) ? 0.0 : 0.1);
+    source.addStatic(cell, source.addModel({{ridges, "glass"}}), frameAt({2, 2, 12}));
+    const TracedWorld traced(source);
+    const world::SpaceIndex room = traced.space(source.id(cell));
+    std::size_t most = 0;
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 eye(0.1 + 0.003 * (i % 20), 1.7 + 0.03 * (i / 20), 12.09), to(3.9, 2.0, 12.05);
+        const Answer answer = traced.trace(room, eye, to - eye);
+        most = std::max<std::size_t>(most, answer.layers.count);
+        const Answer back = traced.trace(room, to, eye - to);
+        most = std::max<std::size_t>(most, back.layers.count);
+    }
+    EXPECT_EQ(most, 2u);
+    EXPECT_EQ(traced.trace(room, {2, 2, 13}, {0.01, 0.02, -1}).layers.count, 1u);
+}
+
 TEST(Zones, objectsOfAZoneAreMetThroughItsWallsOnlyByChoice) {
     // A panel of the western room pokes through the wall beside the door into the eastern room.
     TwoRooms rooms;

@@ -208,6 +208,35 @@ TEST(Flood, anOpeningInWhosePlaneTheEyeLiesIsNearerThanAnyOther) {
     EXPECT_EQ(chainOf(set, ownerOf(set, {-0.2, 0.1, 1})), (Chain{0, 1}));
 }
 
+TEST(Flood, ofAnotherSpaceOfTheZoneAnOpeningIsNotLeftAtTheEye) {
+    // The eye is 5 micrometres past an opening of the space to the east, and in no opening of its own space.
+    TestGraph world;
+    world.addSpace(0);
+    world.addSpace(0);
+    world.addSpace(1);
+    world.link(0, 1, uprightRectangle({1, 9, 0}, {-1, 0, 0}, 4, 2));
+    world.link(1, 2, uprightRectangle({0, 10, 0}, {0, -1, 0}, 4, 2));
+    const VisibleSet set = floodOnce(world.build(), viewFrom({0, 10.000005, 0}, 45, 0, 0));
+    EXPECT_EQ(set.visits.size(), 1u);
+    EXPECT_EQ(set.seen.size(), 2u);
+}
+
+TEST(Flood, raysLeaveAZoneAtTheEyeByWayOfItsInnerOpenings) {
+    // The eye is in the plane of an opening to the north within the zone, and of one behind it to the east, out of the zone.
+    TestGraph world;
+    world.addSpace(0);
+    world.addSpace(0);
+    world.addSpace(1);
+    world.link(0, 1, uprightRectangle({0, 10, 0}, {0, -1, 0}, 2, 2));
+    world.link(1, 2, uprightRectangle({0.5, 10, 0}, {-1, 0, 0}, 2, 2));
+    const Vec3 eye(0.4999999, 9.9999999, 0);
+    const VisibleSet north = floodOnce(world.build(), viewFrom(eye, 0, 0, 0)),
+                     east = floodOnce(world.build(), viewFrom(eye, 90, 0, 0));
+    EXPECT_EQ(chainOf(north, ownerOf(north, {0.5, 0, 1})), (Chain{0, 2}));
+    EXPECT_EQ(chainOf(north, ownerOf(north, {-0.5, 0, 1})), Chain{0});
+    EXPECT_EQ(chainOf(east, ownerOf(east, {-0.5, 0, 1})), (Chain{0, 2}));
+}
+
 TEST(Flood, inThePlaneBesideTheOpeningNothingIsLostOrFlooded) {
     const VisibleSet set = floodOnce(rowOfRooms(2).build(), viewFrom({3, 10, 0}, 270, 0, 0));
     EXPECT_EQ(set.visits.size(), 1u);

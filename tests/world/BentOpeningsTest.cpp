@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace limen::world {
 namespace {
 
@@ -105,12 +107,51 @@ TEST(BentOpenings, withAWallOnTheFarSideAreTrianglesOfOneWay) {
     EXPECT_TRUE(world.portals[world.spaces[2].firstPortal].walled);
 }
 
-TEST(BentOpenings, ofInexactPairsStayWhole) {
+/// The portals of a space that lead somewhere or nowhere.
+std::ptrdiff_t portalsOf(const World& world, SpaceIndex space, bool leadSomewhere) {
+    const auto first = world.portals.begin() + world.spaces[space].firstPortal;
+    return std::count_if(first, first + world.spaces[space].portalCount, [&](const Portal& portal) {
+        return (portal.destination != kNone) == leadSomewhere;
+    });
+}
+
+TEST(BentOpenings, ofInexactPairsAreExactPairsAndHoles) {
+    for (const double aside : {0.0, 0.03}) {
+        DoorRooms rooms;
+        TestWorld::LinkOptions options;
+        options.exact = false;
+        options.polygonInB = bentDoor(0.002);
+        for (Vec3& corner : options.polygonInB)
+            corner += Vec3(0, aside, aside);
+        rooms.source.link(rooms.a, bentDoor(0.002), rooms.b, options);
+        const World world = test::loadTestWorld(rooms.source);
+        for (const SpaceIndex space : {1u, 2u}) {
+            EXPECT_GE(portalsOf(world, space, true), 2);
+            EXPECT_EQ(portalsOf(world, space, false) > 0, aside > 0.0);
+            EXPECT_EQ(portalsOf(world, space, true), portalsOf(world, 3 - space, true));
+        }
+        for (PortalIndex p = 0; p < world.portals.size(); ++p) {
+            const Portal& portal = world.portals[p];
+            EXPECT_TRUE(portal.exact);
+            EXPECT_LT(farthestFromPlane(world, portal), 1e-9);
+            EXPECT_EQ(portal.reciprocal == kNone, portal.destination == kNone);
+            if (portal.reciprocal == kNone)
+                continue;
+            EXPECT_EQ(world.portals[portal.reciprocal].part, portal.part);
+            EXPECT_LT(glm::length(portal.plane.n + world.portals[portal.reciprocal].plane.n), 1e-9);
+        }
+    }
+}
+
+TEST(BentOpenings, ofInexactPairsThatAreFlatStayWhole) {
     DoorRooms rooms;
     TestWorld::LinkOptions options;
     options.exact = false;
-    rooms.source.link(rooms.a, bentDoor(0.003), rooms.b, options);
-    EXPECT_EQ(test::loadTestWorld(rooms.source).spaces[1].portalCount, 1u);
+    options.polygonInB = rectangle({4, 1.03, 0.03}, {4, 2.03, 2.03});
+    rooms.source.link(rooms.a, rectangle({4, 1, 0}, {4, 2, 2}), rooms.b, options);
+    const World world = test::loadTestWorld(rooms.source);
+    ASSERT_EQ(world.spaces[1].portalCount, 1u);
+    EXPECT_FALSE(world.portals[world.spaces[1].firstPortal].exact);
 }
 
 /// Two corners are stitched into the edge of an opening, from the openings beside it, a tenth of a millimetre beside the edge.

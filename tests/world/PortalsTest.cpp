@@ -1,5 +1,6 @@
 #include "geometry/ConvexPolygon.h"
 #include "support/LoadTestWorld.h"
+#include "world/OpeningParts.h"
 #include "world/PolygonDistance.h"
 
 #include <gmock/gmock.h>
@@ -212,11 +213,11 @@ TEST(Portals, thePlaneIsThatOfTheCornersThatCount) {
     // The fifth corner is within the hull of the others and off their plane. The flood has the hull alone.
     TwoRooms rooms;
     TestWorld::LinkOptions options;
-    options.exact = false; // an exact pair is cut into triangles
+    options.exact = false;
     rooms.source.link(rooms.a, {{4, 1, 0}, {4, 2, 0}, {4, 2, 2}, {4.0008, 1.5, 1.9995}, {4, 1, 2}}, rooms.b,
                       options);
     const World world = test::loadTestWorld(rooms.source);
-    const Portal& portal = firstPortal(world, 1);
+    const Portal& portal = openingOf(world, world.spaces[1].firstPortal); // its parts are triangles
     ASSERT_EQ(portal.cornerCount, 4u);
     const Plane plane = planeOf(cornersOf(world, portal));
     EXPECT_LT(glm::length(plane.n - portal.plane.n), 1e-12);

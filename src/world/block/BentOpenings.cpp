@@ -2,10 +2,13 @@
 
 #include "core/Assert.h"
 #include "geometry/Segment.h"
+#include "world/block/OpeningOverlay.h"
 #include "world/mesh/Triangulate.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 
 namespace limen::world {
 namespace {
@@ -57,11 +60,60 @@ std::vector<std::uint32_t> sameVertices(const PortalContent& a, const PortalCont
     return same;
 }
 
-PortalContent partOf(const PortalContent& whole, const TriangleCorners& corner) {
+using TrianglePoints = std::array<Vec3, 3>;
+
+TrianglePoints turned(const TrianglePoints& triangle) {
+    return {triangle[2], triangle[1], triangle[0]};
+}
+
+/// None if a loop cannot be triangulated.
+std::optional<std::vector<TrianglePoints>> trianglesOf(std::span<const OpeningOverlay::Loop> loops,
+                                                       const Vec3& normal) {
+    std::vector<TrianglePoints> triangles;
+    std::vector<TriangleCorners> corners;
+    for (const OpeningOverlay::Loop& loop : loops) {
+        corners.clear();
+        triangulate(loop, normal, corners);
+        if (corners.size() + 2 != loop.size())
+            return std::nullopt;
+        for (const auto& [i, j, k] : corners)
+            triangles.push_back({loop[i], loop[j], loop[k]});
+    }
+    return triangles;
+}
+
+/// The triangles of an inexact pair, counter-clockwise seen from the first portal's space.
+struct PairTriangles {
+    std::vector<TrianglePoints> common, first, second;
+};
+
+/// None if the outlines have no part in common, or no triangles.
+std::optional<PairTriangles> trianglesOfPair(const PortalContent& front, const PortalContent& back) {
+    const std::vector<Vec3> reversed(back.points.rbegin(), back.points.rend());
+    const Vec3& normal = front.plane.n;
+    const std::optional<OpeningOverlay> parts = overlayOpenings(front.points, reversed, normal);
+    if (!parts)
+        return std::nullopt;
+    auto common = trianglesOf(parts->common, normal), first = trianglesOf(parts->first, normal),
+         second = trianglesOf(parts->second, normal);
+    if (!common || !first || !second)
+        return std::nullopt;
+    return PairTriangles{std::move(*common), std::move(*first), std::move(*second)};
+}
+
+PortalContent partOf(const PortalContent& whole, const TrianglePoints& triangle) {
     PortalContent part = whole;
-    part.points = {whole.points[corner[0]], whole.points[corner[1]], whole.points[corner[2]]};
+    part.points.assign(triangle.begin(), triangle.end());
     part.corners = part.points;
     part.plane = planeOf(part.points);
+    part.exact = true;
+    return part;
+}
+
+/// A part that only one polygon of an inexact pair has: rays that pass it meet a hole.
+PortalContent holeOf(const PortalContent& whole, const TrianglePoints& triangle) {
+    PortalContent part = partOf(whole, triangle);
+    part.destination = part.reciprocal = kNone;
     return part;
 }
 
@@ -74,7 +126,7 @@ public:
     void split(std::uint32_t portal) {
         const PortalContent& whole = block_.portals[portal];
         for (const auto& [i, j, k] : trianglesOf(whole))
-            parts_[portal].push_back(partOf(whole, {i, j, k}));
+            parts_[portal].push_back(partOf(whole, {whole.points[i], whole.points[j], whole.points[k]}));
     }
 
     /// Both portals of a pair get parts of equal numbers.
@@ -84,9 +136,26 @@ public:
         if (same.empty())
             return;
         for (const auto& [i, j, k] : trianglesOf(front)) {
-            parts_[a].push_back(partOf(front, {i, j, k}));
-            parts_[b].push_back(partOf(back, {same[k], same[j], same[i]}));
+            parts_[a].push_back(partOf(front, {front.points[i], front.points[j], front.points[k]}));
+            parts_[b].push_back(
+                partOf(back, {back.points[same[k]], back.points[same[j]], back.points[same[i]]}));
         }
+    }
+
+    /// Both portals of an inexact pair: pairs of equal triangles where both are, then holes where one is.
+    void splitInexact(std::uint32_t a, std::uint32_t b) {
+        const PortalContent &front = block_.portals[a], &back = block_.portals[b];
+        const std::optional<PairTriangles> triangles = trianglesOfPair(front, back);
+        if (!triangles)
+            return;
+        for (const TrianglePoints& triangle : triangles->common) {
+            parts_[a].push_back(partOf(front, triangle));
+            parts_[b].push_back(partOf(back, turned(triangle)));
+        }
+        for (const TrianglePoints& triangle : triangles->first)
+            parts_[a].push_back(holeOf(front, triangle));
+        for (const TrianglePoints& triangle : triangles->second)
+            parts_[b].push_back(holeOf(back, turned(triangle)));
     }
 
     void finish() {
@@ -126,7 +195,8 @@ private:
             return;
         }
         for (std::uint32_t i = 0; i < parts.size(); ++i) {
-            parts[i].reciprocal = way == kNone ? kNone : way + i;
+            const bool hasWay = way != kNone && parts[i].reciprocal != kNone;
+            parts[i].reciprocal = hasWay ? way + i : kNone;
             parts[i].part = static_cast<std::uint16_t>(i);
             parts[i].partCount = static_cast<std::uint16_t>(parts.size());
             parts[i].whole = static_cast<std::uint32_t>(block_.wholes.size());
@@ -146,7 +216,7 @@ void splitBentOpenings(BlockContent& block) {
     Splitting splitting(block);
     for (std::uint32_t p = 0; p < block.portals.size(); ++p) {
         const PortalContent& portal = block.portals[p];
-        if (portal.reciprocal < p || !portal.exact || portal.walled || portal.points.size() < 4)
+        if (portal.reciprocal < p || portal.walled || portal.points.size() < (portal.exact ? 4 : 3))
             continue;
         const bool isOneWay = portal.reciprocal == kNone;
         LIMEN_ASSERT(isOneWay || block.portals[portal.reciprocal].reciprocal == p,
@@ -155,7 +225,8 @@ void splitBentOpenings(BlockContent& block) {
         if (isOneWay && isBent(portal, most))
             splitting.split(p);
         else if (!isOneWay && (isBent(portal, most) || isBent(block.portals[portal.reciprocal], most)))
-            splitting.split(p, portal.reciprocal);
+            portal.exact ? splitting.split(p, portal.reciprocal)
+                         : splitting.splitInexact(p, portal.reciprocal);
     }
     splitting.finish();
 }

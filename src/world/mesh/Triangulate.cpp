@@ -118,8 +118,11 @@ private:
 
 void triangulate(std::span<const Vec3> points, std::vector<TriangleCorners>& out) {
     const Vec3 n = planeOf(points).n;
-    if (n == Vec3(0.0))
-        return;
+    if (n != Vec3(0.0))
+        triangulate(points, n, out);
+}
+
+void triangulate(std::span<const Vec3> points, const Vec3& n, std::vector<TriangleCorners>& out) {
     const Vec3 helper = std::abs(n.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 u = glm::normalize(glm::cross(helper, n)), v = glm::cross(n, u);
     std::vector<Vec2> flat;

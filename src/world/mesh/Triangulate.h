@@ -17,5 +17,7 @@ using TriangleCorners = std::array<std::uint32_t, 3>; ///< positions in the poly
 /// polygons.
 /// Ref: ear clipping (Meisters 1975); the ear whose smallest altitude is largest is cut first.
 void triangulate(std::span<const Vec3> polygon, std::vector<TriangleCorners>& out);
+/// The same of a polygon that is simple as seen along `normal`, a unit vector; counter-clockwise from its tip.
+void triangulate(std::span<const Vec3> polygon, const Vec3& normal, std::vector<TriangleCorners>& out);
 
 } // namespace limen::world
