@@ -46,7 +46,7 @@ std::vector<Vec3f> cornersOf(const World& world, const SkyPart& part) {
     return corners;
 }
 
-/// As shaders/skyobjects.frag blends it, whatever its class.
+/// As shaders/skyobjects.frag blends a surface of any class.
 bool isOpaque(const World& world, const Material& material) {
     return (material.flags & (Material::kAdditive | Material::kInvAlpha)) == 0 && material.colour.w >= 1.0f &&
            (material.texture == kNone || !world.textures[material.texture]->hasAlpha);
