@@ -1,6 +1,7 @@
 #include "gpu/device/NullDevice.h"
 
 #include "SceneBuilder.h"
+#include "frame/FrameView.h"
 #include "gpu/Renderer.h"
 
 #include <gmock/gmock.h>
@@ -271,6 +272,10 @@ TEST_F(NullDeviceTest, invalidScene_isRefusedAndTheOldOneStays) {
     EXPECT_FALSE(renderer_.upload(broken));
     EXPECT_EQ(device_.liveObjects(), objects);
     draw(scene);
+}
+
+TEST(StateTracker, theFirstClearColourIsThatOfAView_soFirstFramesMakeTheCallsOfLaterOnes) {
+    EXPECT_EQ(StateTracker::kFirstClearColour, glm::vec4(frame::FrameView().voidColour, 1.0f));
 }
 
 TEST(NullDevice, destroyedBuffersUseNoMemory) {
