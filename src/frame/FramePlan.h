@@ -139,10 +139,10 @@ struct FramePlan {
     std::vector<gpu::DrawPiece> pieces; ///< of dynamic instances and of the sky
     std::vector<PieceRun> runs;
     std::vector<Batch> batches;
-    std::vector<Stage> stages;      ///< in order
-    Gate gate = Gate::Ownership;    ///< that this plan was made for
-    RectRun plainSky{};             ///< objects of the sky cover it elsewhere
-    bool clips = false;             ///< clipSets are clip distances; the programs have no ownership test
+    std::vector<Stage> stages;   ///< in order
+    Gate gate = Gate::Ownership; ///< that this plan was made for
+    RectRun plainSky{};          ///< the plain sky beside these rectangles is covered by objects of the sky
+    bool clips = false;          ///< clipSets are clip distances; the programs have no ownership test
     std::vector<GatedSpace> spaces; ///< of other gates: in drawing order, far to near, each once
     /// The first batch that occlusion culling applies to. The batches before it are walls and ground, its
     /// occluders.

@@ -110,8 +110,8 @@ void leaveOutCovered(const Sky& sky, std::vector<SkyPlacement>& placements) {
                           other.rotation == placement.rotation && other.offset == placement.offset;
                });
     };
-    std::size_t kept =
-        0; // an element is overwritten only after the tests of all before it, which read later ones
+    // Tests read later elements alone, and an element is overwritten after its own test.
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < placements.size(); ++i)
         if (!isCovered(placements[i]))
             placements[kept++] = placements[i];

@@ -25,13 +25,6 @@ double orient(const Vec2& a, const Vec2& b, const Vec2& p) {
     return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-double areaOfLoop(std::span<const Vec2> points, std::span<const std::uint32_t> loop) {
-    double twice = 0.0;
-    for (std::size_t i = 1; i + 1 < loop.size(); ++i)
-        twice += orient(points[loop[0]], points[loop[i]], points[loop[i + 1]]);
-    return twice / 2.0;
-}
-
 /// Whether a loop winds around a point. Ref: Hormann, Agathos (2001).
 bool windsAround(std::span<const Vec2> points, std::span<const std::uint32_t> loop, const Vec2& p) {
     int winding = 0;
@@ -268,7 +261,7 @@ private:
         for (const std::vector<std::uint32_t>& face : boundedFaces(flat_, edges)) {
             const std::array<bool, 2> inside{isInsideOf(0, face), isInsideOf(1, face)};
             for (std::size_t side = 0; side < 2; ++side)
-                area[side] += inside[side] ? areaOfLoop(flat_, face) : 0.0;
+                area[side] += inside[side] ? signedArea(flat_, face) : 0.0;
             if (!inside[0] && !inside[1])
                 continue;
             (inside[0] && inside[1] ? parts.common
@@ -276,8 +269,8 @@ private:
                                     : parts.second)
                 .push_back(inSpace(face));
         }
-        return std::abs(area[0] - areaOfLoop(flat_, chain_[0])) <= kAreaRounding &&
-               std::abs(area[1] - areaOfLoop(flat_, chain_[1])) <= kAreaRounding;
+        return std::abs(area[0] - signedArea(flat_, chain_[0])) <= kAreaRounding &&
+               std::abs(area[1] - signedArea(flat_, chain_[1])) <= kAreaRounding;
     }
 
     Vec3 origin_, u_{0.0}, v_{0.0};

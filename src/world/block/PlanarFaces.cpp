@@ -41,17 +41,17 @@ void connect(std::vector<HalfEdge>& halves, std::size_t pointCount) {
     }
 }
 
-double areaOfFace(std::span<const Vec2> points, std::span<const std::uint32_t> face) {
+} // namespace
+
+double signedArea(std::span<const Vec2> points, std::span<const std::uint32_t> loop) {
     double twice = 0.0;
-    for (std::size_t i = 0; i < face.size(); ++i) {
-        const Vec2 a = points[face[i]] - points[face[0]],
-                   b = points[face[(i + 1) % face.size()]] - points[face[0]];
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2 a = points[loop[i]] - points[loop[0]],
+                   b = points[loop[(i + 1) % loop.size()]] - points[loop[0]];
         twice += a.x * b.y - a.y * b.x;
     }
     return twice / 2.0;
 }
-
-} // namespace
 
 std::vector<std::vector<std::uint32_t>>
 boundedFaces(std::span<const Vec2> points, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges) {
@@ -65,7 +65,7 @@ boundedFaces(std::span<const Vec2> points, std::span<const std::pair<std::uint32
             done[h] = true;
             face.push_back(halves[h].from);
         }
-        if (face.size() >= 3 && areaOfFace(points, face) > 0.0)
+        if (face.size() >= 3 && signedArea(points, face) > 0.0)
             faces.push_back(std::move(face));
     }
     return faces;

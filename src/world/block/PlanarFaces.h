@@ -14,4 +14,7 @@ namespace limen::world {
 [[nodiscard]] std::vector<std::vector<std::uint32_t>>
 boundedFaces(std::span<const Vec2> points, std::span<const std::pair<std::uint32_t, std::uint32_t>> edges);
 
+/// Square metres of a polygon of numbered points; negative if it is clockwise.
+[[nodiscard]] double signedArea(std::span<const Vec2> points, std::span<const std::uint32_t> loop);
+
 } // namespace limen::world
