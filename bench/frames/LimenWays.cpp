@@ -47,6 +47,7 @@ public:
     [[nodiscard]] Result<void> enter() override { return part_->enter(); }
     [[nodiscard]] Result<void> show(const FramePlace& place) override {
         view_ = place.view;
+        view_.occlusion = frame::Occlusion::IfWorthwhile; // as in the window
         return part_->show(place.part);
     }
     [[nodiscard]] Result<void> draw() override {

@@ -199,6 +199,8 @@ FrameInputs frameInputs(const world::World& world, const FrameRequest& request, 
     view.viewerLight = viewerLight(request, playerSpace(world, request));
     view.highlights = outputs.highlights;
     view.exactCutOuts = outputs.exactCutOuts;
+    // Frames with ids are judged: each is planned in the same way, whatever was planned before.
+    view.occlusion = outputs.exactCutOuts ? frame::Occlusion::Always : frame::Occlusion::IfWorthwhile;
     inputs.dynamics = dynamicsInputOf(world, request, view.view);
     return inputs;
 }

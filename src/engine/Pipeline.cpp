@@ -79,6 +79,8 @@ void Pipeline::plan(const frame::FrameView& view) {
     planned.gate = gate_;
     planned.fewTests = planned.fillsVoids = planned.coverageDecides =
         renderer_.options().drawing == gpu::Drawing::Fast;
+    if (!renderer_.choices().occludes)
+        planned.occlusion = frame::Occlusion::Off;
     planned.details &= view.look == world::Look::Enhanced || renderer_.choices().details;
     part_->planner.plan(planned, state_.dynamics, state_.visible, state_.plan);
     isPlanned_ = true;

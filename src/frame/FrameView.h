@@ -20,6 +20,13 @@ struct Highlight {
         0; ///< bytes R, G, B and strength, R lowest; mixed with the lit colour by the strength
 };
 
+/// Whether instances that land or buildings hide from an eye outside are left out of a plan (Occluders). The picture is the same.
+enum class Occlusion : std::uint8_t {
+    Off,
+    IfWorthwhile, ///< left out in some frames after one in which little was hidden
+    Always
+};
+
 /// Parts of the method that tests can switch off. Each part is necessary: without it some view is wrong
 /// (docs/proof.md), and a test shows that the check notices.
 struct Rules {
@@ -53,6 +60,7 @@ struct FrameView {
     /// The rasteriser's coverage decides the outlines of openings: no fragment tests edges. Openings near the eye are
     /// then drawn as the flood's regions.
     bool coverageDecides = false;
+    Occlusion occlusion = Occlusion::Off;
     world::Look look = world::Look::Retail;
     bool details = true;       ///< draw the detail pictures that the look has
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth

@@ -24,7 +24,7 @@ bool isWholeScreen(const visibility::Rect& rect) {
 
 Selection::Selection(const StaticScene& scene)
     : world_(scene.world()), clusters_(scene.clusters()), levels_(clusters_, scene.clusterBatches()),
-      exits_(world_), testedFrame_(world_.spaces.size()), lastTest_(world_.spaces.size()),
+      exits_(world_), occluders_(scene), testedFrame_(world_.spaces.size()), lastTest_(world_.spaces.size()),
       sharedResults_(clusters_.sharedIsInOneZone.size()) {}
 
 void Selection::select(const FrameView& frame, const world::DynamicState& dynamics,
@@ -47,6 +47,7 @@ void Selection::select(const FrameView& frame, const world::DynamicState& dynami
         2.0 * std::max(frame.view.tanHalfX / frame.width, frame.view.tanHalfY / frame.height);
     cones_.prepare(frame.view, set, pixel);
     exits_.prepare(set);
+    occluders_.prepare(frame, cones_);
     gatherTests(set);
     for (const TestedSpace& tested : testedSpaces_) {
         zone_ = hasSeveralVisits_ ? world_.spaces[tested.space].zone : world::kNone;
@@ -57,6 +58,7 @@ void Selection::select(const FrameView& frame, const world::DynamicState& dynami
     for (const SpaceTest& test : tests_)
         selectListed(test, dynamics);
     finishListed(dynamics);
+    occluders_.finish(counts_.drawn, counts_.hidden);
 }
 
 void Selection::gatherTests(const visibility::VisibleSet& set) {
@@ -83,7 +85,7 @@ void Selection::gatherTests(const visibility::VisibleSet& set) {
 
 void Selection::selectStatic(const TestedSpace& tested, std::uint32_t root) {
     counts_.tested += clusters_.clusters[root].end - clusters_.clusters[root].first;
-    if (!hasSeveralVisits_ && !tests_[tested.firstTest].isNarrow) {
+    if (!hasSeveralVisits_ && !tests_[tested.firstTest].isNarrow && !occluders_.areReady()) {
         for (const PositionRange& range : levels_.select(tested.space, cones_, eye_, forward_, nearPlane_))
             draw(range.first, range.end, true);
         counts_.boundsTested += levels_.boundsTested();
@@ -107,6 +109,10 @@ Containment Selection::testCluster(const SpaceTest& test, const SeenSphere& sphe
 Containment Selection::testInstance(const SpaceTest& test, const SeenSphere& sphere) {
     ++counts_.boundsTested;
     const Containment inVisit = cones_.classify(test.visit, sphere);
+    if (inVisit != Containment::Outside && test.visit == 0 && occluders_.hide(sphere)) {
+        ++counts_.hidden;
+        return Containment::Outside;
+    }
     if (inVisit == Containment::Outside || !test.isNarrow ||
         visibility::Viewcones::classify(test.rect, sphere) != Containment::Outside)
         return inVisit == Containment::Partial && hasFewTests_ && test.visit == 0 &&
@@ -118,6 +124,10 @@ Containment Selection::testInstance(const SpaceTest& test, const SeenSphere& sph
 
 Containment Selection::testStatic(const SpaceTest& test, std::uint32_t position, const SeenSphere& sphere) {
     const Containment found = testInstance(test, sphere);
+    if (found != Containment::Outside && test.visit == 0 && occluders_.hideAt(position)) {
+        ++counts_.hidden;
+        return Containment::Outside;
+    }
     const world::InstanceIndex instance = clusters_.order[position];
     const bool isAsked = found == Containment::Partial && hasFewTests_ && test.visit == 0 &&
                          world_.instances[instance].kind == world::InstanceKind::Shell;
@@ -133,15 +143,42 @@ void Selection::drawInRange(const Cluster& cluster) {
             drawInRange(clusters_.clusters[cluster.firstChild + i]);
 }
 
+void Selection::drawUnhidden(const Cluster& cluster) {
+    if (cluster.detail.at(cluster.bounds.centre - eye_) == Containment::Outside)
+        return;
+    for (std::uint32_t i = 0; i < cluster.childCount; ++i) {
+        const Cluster& child = clusters_.clusters[cluster.firstChild + i];
+        if (occluders_.hide(sphereOf(child.bounds)))
+            counts_.hidden += child.end - child.first;
+        else
+            drawUnhidden(child);
+    }
+    if (cluster.childCount > 0)
+        return;
+    for (std::uint32_t position = cluster.first; position < cluster.end; ++position)
+        if (occluders_.hideAt(position))
+            ++counts_.hidden;
+        else
+            draw(position, position + 1, true);
+}
+
 void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
     if (cluster.detail.at(cluster.bounds.centre - eye_) == Containment::Outside)
         return;
     const SeenSphere sphere = sphereOf(cluster.bounds);
     const std::size_t endActive = active_.size();
     for (std::size_t i = firstActive; i < endActive; ++i) {
-        const Containment here = testCluster(tests_[active_[i]], sphere);
+        const SpaceTest& test = tests_[active_[i]];
+        const Containment here = testCluster(test, sphere);
+        if (here != Containment::Outside && test.visit == 0 && occluders_.hide(sphere)) {
+            counts_.hidden += cluster.end - cluster.first;
+            continue;
+        }
         if (here == Containment::Inside) {
-            drawInRange(cluster);
+            if (test.visit == 0 && occluders_.areReady())
+                drawUnhidden(cluster);
+            else
+                drawInRange(cluster);
             active_.resize(endActive);
             return;
         }
@@ -200,7 +237,7 @@ void Selection::selectListed(const SpaceTest& test, const world::DynamicState& d
         if (testShared(test, clusters_.bounds[position], sharedResults_[number]))
             sharedTested_.push_back(number);
     }
-    if (!hasSeveralVisits_) {
+    if (!hasSeveralVisits_ && !occluders_.areReady()) {
         selectBatches(test, dynamics);
         return;
     }

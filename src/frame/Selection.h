@@ -2,6 +2,7 @@
 
 #include "frame/FrameView.h"
 #include "frame/LevelSelection.h"
+#include "frame/Occluders.h"
 #include "frame/RootExits.h"
 #include "frame/StaticScene.h"
 #include "visibility/Viewcone.h"
@@ -50,6 +51,7 @@ public:
     /// Of the members of spaces that are seen, each once.
     struct Counts {
         std::uint32_t tested = 0, drawn = 0, ungated = 0;
+        std::uint32_t hidden = 0;       ///< of a visible visit, and left out because occluders hide them
         std::uint32_t boundsTested = 0; ///< tests of a bounding sphere against a visit
     };
     [[nodiscard]] const Counts& counts() const { return counts_; }
@@ -88,6 +90,8 @@ private:
                                          const visibility::SeenSphere& sphere);
     /// Draws a cluster that is Inside a visit.
     void drawInRange(const Cluster& cluster);
+    /// Draws the instances of a cluster that is Inside the root visit and not hidden as a whole.
+    void drawUnhidden(const Cluster& cluster);
     void descend(const Cluster& cluster, std::size_t firstActive);
     void selectLeaf(const Cluster& leaf, std::size_t firstActive);
     /// Selects the dynamic instances, and the static ones that several spaces list.
@@ -107,6 +111,7 @@ private:
     const Clusters& clusters_;
     LevelSelection levels_;
     RootExits exits_;
+    Occluders occluders_;
     visibility::Viewcones cones_;
     Vec3 eye_{0.0}, forward_{0.0};
     double nearPlane_ = 0.0;

@@ -26,8 +26,9 @@ bool shellsHaveCutOuts(const world::World& world) {
 
 StaticScene::StaticScene(const world::World& world)
     : world_(world), clusters_(buildClusters(world)), clusterBatches_(clusters_),
-      pieces_(buildPieces(world, clusters_)), meshPieces_(world), members_(membersOfSpaces(world)),
-      hasShellCutOuts_(shellsHaveCutOuts(world)), byObject_(world.instances.size()) {
+      pieces_(buildPieces(world, clusters_)), meshPieces_(world), occluders_(world, clusters_),
+      members_(membersOfSpaces(world)), hasShellCutOuts_(shellsHaveCutOuts(world)),
+      byObject_(world.instances.size()) {
     records_.reserve(world.instances.size());
     std::map<std::pair<world::SpaceIndex, std::uint32_t>, MemberRun> known; // by the only space and light set
     for (std::size_t i = 0; i < world.instances.size(); ++i) {

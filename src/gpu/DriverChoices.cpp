@@ -80,6 +80,13 @@ DriverChoice overlapOf(const DriverChoices& choices) {
                                : "a card begins by itself"};
 }
 
+DriverChoice occlusionOf(const DriverChoices& choices) {
+    return {"hidden_instances", choices.occludes ? "left out" : "drawn",
+            choices.occludes   ? "from outside, land and buildings hide many, and the processor tells which"
+            : choices.software ? "drawn exact"
+                               : "a card draws them at little cost"};
+}
+
 DriverChoice cullingOf(const DriverChoices& choices) {
     return {"triangle_culling", nameOf(choices.culling),
             choices.drawing == Drawing::Fast ? "drawn fast: early depth tests do its work"
@@ -109,6 +116,7 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
     choices.samples = std::max(samples, 1u);
     choices.computes = !isFast;
     choices.overlaps = isFast && capabilities.software;
+    choices.occludes = isFast && capabilities.software;
     choices.details = !isFast || !capabilities.software;
     if (!isFast && options.exactOutlines && choices.samples == 1)
         choices.culling = options.culling;
@@ -118,7 +126,8 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
 std::vector<DriverChoice> describe(const DriverChoices& choices) {
     return {rasteriserOf(choices), drawingOf(choices), texturesOf(choices),   pagesOf(choices),
             terrainOf(choices),    levelsOf(choices),  anisotropyOf(choices), samplesOf(choices),
-            commandsOf(choices),   overlapOf(choices), cullingOf(choices),    detailsOf(choices)};
+            commandsOf(choices),   overlapOf(choices), occlusionOf(choices),  cullingOf(choices),
+            detailsOf(choices)};
 }
 
 } // namespace limen::gpu

@@ -41,6 +41,7 @@ struct PlannedWorld {
         view = frame::makeView(origin + local, yaw, 0.0, 75.0, 320, 200, root);
         view.gate = gate;
         view.coverageDecides = coverageDecides;
+        view.occlusion = occlusion;
         const visibility::Graph& flooded = gate == frame::Gate::Ownership ? graph : spaceGraph;
         EXPECT_TRUE(visibility::flood(flooded, {}, view.view, {}, scratch, visible));
         planner.plan(view, visible, plan);
@@ -71,8 +72,9 @@ struct PlannedWorld {
     Vec3 origin;
     visibility::FloodScratch scratch;
     visibility::VisibleSet visible;
-    frame::Gate gate = frame::Gate::Ownership; ///< of the next plans
-    bool coverageDecides = false;              ///< as FrameView::coverageDecides, of the next plans
+    frame::Gate gate = frame::Gate::Ownership;          ///< of the next plans
+    bool coverageDecides = false;                       ///< as FrameView::coverageDecides, of the next plans
+    frame::Occlusion occlusion = frame::Occlusion::Off; ///< of the next plans
     frame::FrameView view;
     frame::FramePlan plan;
 };

@@ -73,6 +73,12 @@ TEST(DriverChoices, onlyAProcessorIsToldToBeginEarly) {
     EXPECT_FALSE(driverChoices({}, software()).overlaps);
 }
 
+TEST(DriverChoices, hiddenInstancesAreLeftOutWithoutACard) {
+    EXPECT_TRUE(driverChoices(fast(), software()).occludes);
+    EXPECT_FALSE(driverChoices(fast(), card()).occludes);
+    EXPECT_FALSE(driverChoices({}, software()).occludes) << "exact frames prove what is hidden";
+}
+
 TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
     std::set<std::string> names;
     for (const DriverChoice& choice : describe(driverChoices(fast(), software()))) {
@@ -80,10 +86,10 @@ TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
         EXPECT_FALSE(choice.value.empty());
         EXPECT_FALSE(std::string(choice.reason).empty());
     }
-    const std::set<std::string> expected{"rasteriser",     "drawing",          "textures",
-                                         "pages_by_index", "packed_landcells", "mip_levels",
-                                         "anisotropy",     "multisampling",    "draw_commands",
-                                         "early_start",    "triangle_culling", "detail_pictures"};
+    const std::set<std::string> expected{
+        "rasteriser",       "drawing",         "textures",        "pages_by_index", "packed_landcells",
+        "mip_levels",       "anisotropy",      "multisampling",   "draw_commands",  "early_start",
+        "triangle_culling", "detail_pictures", "hidden_instances"};
     EXPECT_EQ(names, expected);
 }
 
