@@ -179,6 +179,7 @@ Result<FrameRequest> frameRequest(const world::World& world, const world::WorldF
 void scaleRequest(const FrameRequest& request, std::uint32_t percent, FrameRequest& out) {
     out = request;
     out.size = scaledSize(request.size, percent);
+    out.levels = world::levelShareOf(percent);
     if (request.camera.shape.width == 0)
         out.camera.shape = request.size;
 }
@@ -202,6 +203,8 @@ FrameInputs frameInputs(const world::World& world, const FrameRequest& request, 
     // Frames with ids are judged: each is planned in the same way, whatever was planned before.
     view.occlusion = outputs.exactCutOuts ? frame::Occlusion::Always : frame::Occlusion::IfWorthwhile;
     inputs.dynamics = dynamicsInputOf(world, request, view.view);
+    if (!outputs.exactCutOuts)
+        view.levels = inputs.dynamics.levels = request.levels;
     return inputs;
 }
 

@@ -18,6 +18,7 @@ struct FrameRequest {
     bool isRootAmbiguous = false;             ///< several cells contain the eye
     bool isHeld = false; ///< an obstacle keeps the camera closer to the body than its chosen distance
     SceneState scene;
+    world::LevelShare levels; ///< of distances of levels of detail, in fast frames without ids
 };
 
 /// Resolves a request in a loaded world: finds root and day group, places the eye on the ground, orders the
@@ -26,7 +27,7 @@ struct FrameRequest {
 [[nodiscard]] Result<FrameRequest> frameRequest(const world::World& world, const world::WorldFile& file,
                                                 const ViewRequest& request);
 
-/// The same view, drawn with `percent` per cent of the pixels each way. `out` keeps its storage. As scaledSize.
+/// The same view, drawn with `percent` per cent of the pixels each way, and levels of detail as far away as they then look. `out` keeps its storage. As scaledSize.
 void scaleRequest(const FrameRequest& request, std::uint32_t percent, FrameRequest& out);
 
 /// Options of a frame's output. They do not change its content.

@@ -50,9 +50,18 @@ Result<const visibility::Graph*> Pipeline::graph() {
     return &*spaceGraph_;
 }
 
+// In exact frames the device selects levels of detail, at whole distances.
+world::LevelShare Pipeline::drawnLevels(const world::LevelShare& asked) const {
+    return renderer_.options().drawing == gpu::Drawing::Fast && gate_ == frame::Gate::Ownership
+               ? asked
+               : world::LevelShare{};
+}
+
 void Pipeline::updateDynamics(const motion::DynamicStateInput& input) {
     LIMEN_ASSERT(part_ != nullptr, "show a part first");
-    part_->dynamics.build(input, state_.dynamics);
+    motion::DynamicStateInput drawn = input;
+    drawn.levels = drawnLevels(input.levels);
+    part_->dynamics.build(drawn, state_.dynamics);
     isPlanned_ = false;
 }
 
@@ -79,6 +88,7 @@ void Pipeline::plan(const frame::FrameView& view) {
     planned.gate = gate_;
     planned.fewTests = planned.fillsVoids = planned.coverageDecides =
         renderer_.options().drawing == gpu::Drawing::Fast;
+    planned.levels = drawnLevels(view.levels);
     if (!renderer_.choices().occludes)
         planned.occlusion = frame::Occlusion::Off;
     planned.details &= view.look == world::Look::Enhanced || renderer_.choices().details;

@@ -58,6 +58,7 @@ public:
     [[nodiscard]] const gpu::Renderer& renderer() const { return renderer_; }
 
 private:
+    [[nodiscard]] world::LevelShare drawnLevels(const world::LevelShare& asked) const;
     /// The graph that the gate's flood follows. Errors: portals that the graph refuses.
     [[nodiscard]] Result<const visibility::Graph*> graph();
 

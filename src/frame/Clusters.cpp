@@ -41,10 +41,6 @@ double slackOf(const world::World& world, const world::Instance& instance, const
                             : toOrigin);
 }
 
-double squareOf(double metres) {
-    return metres > 0.0 ? metres * metres : 0.0;
-}
-
 class ClusterBuilder {
 public:
     explicit ClusterBuilder(const world::World& world) : world_(world) {
@@ -146,26 +142,26 @@ private:
 
     // Requires: sphereAround made `bounds`.
     [[nodiscard]] DetailRange detailOf(Range range, const Sphere& bounds) const {
-        double anyFrom = DetailRange::kEvery, anyUpTo = 0.0, allFrom = 0.0, allUpTo = DetailRange::kEvery;
+        DetailRange detail{DetailRange::kEvery, 0.0, 0.0, DetailRange::kEvery, 0.0};
         for (const InstanceIndex index : range) {
             const world::Instance& instance = world_.instances[index];
             if (instance.level == world::kNone) {
-                anyFrom = 0.0;
-                anyUpTo = DetailRange::kEvery;
+                detail.leastFrom = 0.0;
+                detail.mostUpTo = DetailRange::kEvery;
                 continue;
             }
             const world::LevelRange& level = world_.levels[instance.level].range;
-            const double slack = slackOf(world_, instance, bounds.centre);
             const double from = static_cast<double>(level.from) / world::kRangeSteps;
             const double upTo = level.upTo == world::LevelRange::kEndless
                                     ? DetailRange::kEvery
                                     : static_cast<double>(level.upTo) / world::kRangeSteps;
-            anyFrom = std::min(anyFrom, from - slack);
-            anyUpTo = std::max(anyUpTo, upTo + slack);
-            allFrom = std::max(allFrom, level.from == 0 ? 0.0 : from + slack);
-            allUpTo = std::min(allUpTo, upTo - slack);
+            detail.leastFrom = std::min(detail.leastFrom, from);
+            detail.mostUpTo = std::max(detail.mostUpTo, upTo);
+            detail.mostFrom = std::max(detail.mostFrom, from);
+            detail.leastUpTo = std::min(detail.leastUpTo, upTo);
+            detail.slack = std::max(detail.slack, slackOf(world_, instance, bounds.centre));
         }
-        return {squareOf(anyFrom), squareOf(anyUpTo), squareOf(allFrom), squareOf(allUpTo)};
+        return detail;
     }
 
     [[nodiscard]] double spreadOfDistances(Range range) const {
@@ -281,10 +277,8 @@ bool isInOneZone(const world::World& world, const world::Instance& instance,
 ClusterBatches::ClusterBatches(const Clusters& clusters) {
     for (const std::uint32_t root : clusters.roots)
         roots.push_back(root == world::kNone ? root : add(clusters, root, 1));
-    const bool areEndless =
-        std::all_of(clusters.clusters.begin(), clusters.clusters.end(), [](const Cluster& c) {
-            return c.detail.allFrom == 0.0 && c.detail.allUpTo == DetailRange::kEvery;
-        });
+    const bool areEndless = std::all_of(clusters.clusters.begin(), clusters.clusters.end(),
+                                        [](const Cluster& c) { return c.detail.isEndless(); });
     if (areEndless)
         details.clear();
 }

@@ -16,21 +16,28 @@ struct PositionRange {
 };
 
 /// Distances at which the instances of a cluster are drawn, by their levels of detail. Conservative bounds for
-/// world::isInLevelRange: squares of metres from the eye to the middle of the cluster's bounds.
+/// world::isInLevelRange: metres from the eye to the middle of the cluster's bounds.
 struct DetailRange {
     static constexpr double kEvery = std::numeric_limits<double>::infinity();
-    double anyFrom = 0.0, anyUpTo = kEvery; ///< none is drawn nearer, or, horizontally, beyond
-    double allFrom = 0.0, allUpTo = kEvery; ///< all are drawn, horizontally, beyond, and nearer
+    double leastFrom = 0.0, mostUpTo = kEvery; ///< of the instances' ranges
+    double mostFrom = 0.0, leastUpTo = kEvery;
+    double slack = 0.0; ///< the most by which the distance of an instance differs from that of the middle
 
     /// Inside: all are drawn. Outside: none is. `offset`: from the eye to the middle of the bounds.
-    [[nodiscard]] visibility::Containment at(const Vec3& offset) const {
-        const double level = offset.x * offset.x + offset.y * offset.y;
+    [[nodiscard]] visibility::Containment at(const Vec3& offset, const world::LevelShare& share) const {
+        const double factor = share.value();
+        const double level = offset.x * offset.x + offset.y * offset.y; // a horizontal distance may count
         const double whole = level + offset.z * offset.z;
-        if (whole < anyFrom || level >= anyUpTo)
+        if (whole < squareOf(factor * leastFrom - slack) || level >= squareOf(factor * mostUpTo + slack))
             return visibility::Containment::Outside;
-        return level >= allFrom && whole < allUpTo ? visibility::Containment::Inside
-                                                   : visibility::Containment::Partial;
+        const bool areAll = level >= (mostFrom > 0.0 ? squareOf(factor * mostFrom + slack) : 0.0) &&
+                            whole < squareOf(factor * leastUpTo - slack);
+        return areAll ? visibility::Containment::Inside : visibility::Containment::Partial;
     }
+    [[nodiscard]] bool isEndless() const { return mostFrom == 0.0 && leastUpTo == kEvery; }
+
+private:
+    static double squareOf(double metres) { return metres > 0.0 ? metres * metres : 0.0; }
 };
 
 /// Static instances near each other that are members of one space only: a range of Clusters::order, divided

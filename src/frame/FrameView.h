@@ -3,6 +3,7 @@
 #include "frame/Gate.h"
 #include "geometry/Tolerances.h"
 #include "visibility/View.h"
+#include "world/LevelRange.h"
 #include "world/Look.h"
 
 #include <cstdint>
@@ -61,6 +62,8 @@ struct FrameView {
     /// then drawn as the flood's regions.
     bool coverageDecides = false;
     Occlusion occlusion = Occlusion::Off;
+    world::LevelShare
+        levels; ///< of distances of levels of detail; whole in plans that the device culls (levels.glsl)
     world::Look look = world::Look::Retail;
     bool details = true;       ///< draw the detail pictures that the look has
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth

@@ -28,7 +28,9 @@ LevelSelection::LevelSelection(const Clusters& clusters, const ClusterBatches& b
 
 std::span<const PositionRange> LevelSelection::select(world::SpaceIndex space,
                                                       const visibility::Viewcones& cones, const Vec3& eye,
-                                                      const Vec3& forward, double nearPlane) {
+                                                      const Vec3& forward, double nearPlane,
+                                                      const world::LevelShare& levels) {
+    share_ = levels;
     ranges_.clear();
     boundsTested_ = 0;
     const std::uint32_t root = batches_.roots[space];

@@ -17,7 +17,8 @@ public:
     /// `forward` is the view's.
     [[nodiscard]] std::span<const PositionRange> select(world::SpaceIndex space,
                                                         const visibility::Viewcones& cones, const Vec3& eye,
-                                                        const Vec3& forward, double nearPlane);
+                                                        const Vec3& forward, double nearPlane,
+                                                        const world::LevelShare& levels = {});
     [[nodiscard]] std::uint32_t boundsTested() const { return boundsTested_; } ///< in the last call
 
 private:
@@ -28,15 +29,16 @@ private:
     /// DetailRange::at for a cluster of a batch.
     [[nodiscard]] visibility::Containment levelsAt(std::uint32_t batch, std::uint32_t number,
                                                    const Vec3& eye) const {
-        return batches_.details.empty()
-                   ? visibility::Containment::Inside
-                   : batches_.details[batch][number].at(batches_.batches[batch].bounds(number).centre - eye);
+        return batches_.details.empty() ? visibility::Containment::Inside
+                                        : batches_.details[batch][number].at(
+                                              batches_.batches[batch].bounds(number).centre - eye, share_);
     }
     void descend(std::uint32_t root, const visibility::Viewcones& cones, const Vec3& eye);
     void markLeaf(const PositionRange& leaf, const visibility::Viewcones& cones, const Vec3& eye);
     void mark(const PositionRange& range);
     void gather(const PositionRange& within);
 
+    world::LevelShare share_; ///< of the call
     const Clusters& clusters_;
     const ClusterBatches& batches_;
     // These arrays have their maximum size; the counts say how much of them is in use.

@@ -32,7 +32,7 @@ void Occluders::prepare(const FrameView& frame, const visibility::Viewcones& con
         if (size >= kLeastSize &&
             cones.classify(0, cones.sphereOf({offset, instance.bounds.radius})) !=
                 visibility::Containment::Outside &&
-            world::isInLevelRange(world_, instance, steps))
+            world::isInLevelRange(world_, instance, steps, frame.levels))
             seen_.push_back({size, number});
     }
     std::sort(seen_.begin(), seen_.end(), [](const Seen& a, const Seen& b) {

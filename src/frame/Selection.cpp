@@ -41,6 +41,7 @@ void Selection::select(const FrameView& frame, const world::DynamicState& dynami
     nearPlane_ = frame.nearPlane;
     hasSeveralVisits_ = set.visits.size() > 1;
     hasFewTests_ = frame.fewTests;
+    levelShare_ = frame.levels;
     testsEveryVisit_ = frame.rules.viewcone;
     dynamicResults_.resize(dynamics.instances.size());
     const double pixel =
@@ -86,7 +87,8 @@ void Selection::gatherTests(const visibility::VisibleSet& set) {
 void Selection::selectStatic(const TestedSpace& tested, std::uint32_t root) {
     counts_.tested += clusters_.clusters[root].end - clusters_.clusters[root].first;
     if (!hasSeveralVisits_ && !tests_[tested.firstTest].isNarrow && !occluders_.areReady()) {
-        for (const PositionRange& range : levels_.select(tested.space, cones_, eye_, forward_, nearPlane_))
+        for (const PositionRange& range :
+             levels_.select(tested.space, cones_, eye_, forward_, nearPlane_, levelShare_))
             draw(range.first, range.end, true);
         counts_.boundsTested += levels_.boundsTested();
         return;
@@ -135,7 +137,7 @@ Containment Selection::testStatic(const SpaceTest& test, std::uint32_t position,
 }
 
 void Selection::drawInRange(const Cluster& cluster) {
-    const Containment levels = cluster.detail.at(cluster.bounds.centre - eye_);
+    const Containment levels = cluster.detail.at(cluster.bounds.centre - eye_, levelShare_);
     if (levels == Containment::Inside || (levels == Containment::Partial && cluster.childCount == 0))
         draw(cluster.first, cluster.end, true);
     else if (levels == Containment::Partial)
@@ -144,7 +146,7 @@ void Selection::drawInRange(const Cluster& cluster) {
 }
 
 void Selection::drawUnhidden(const Cluster& cluster) {
-    if (cluster.detail.at(cluster.bounds.centre - eye_) == Containment::Outside)
+    if (cluster.detail.at(cluster.bounds.centre - eye_, levelShare_) == Containment::Outside)
         return;
     for (std::uint32_t i = 0; i < cluster.childCount; ++i) {
         const Cluster& child = clusters_.clusters[cluster.firstChild + i];
@@ -163,7 +165,7 @@ void Selection::drawUnhidden(const Cluster& cluster) {
 }
 
 void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
-    if (cluster.detail.at(cluster.bounds.centre - eye_) == Containment::Outside)
+    if (cluster.detail.at(cluster.bounds.centre - eye_, levelShare_) == Containment::Outside)
         return;
     const SeenSphere sphere = sphereOf(cluster.bounds);
     const std::size_t endActive = active_.size();

@@ -115,6 +115,7 @@ private:
     visibility::Viewcones cones_;
     Vec3 eye_{0.0}, forward_{0.0};
     double nearPlane_ = 0.0;
+    world::LevelShare levelShare_;
     bool hasSeveralVisits_ = false;
     world::ZoneIndex zone_ = world::kNone; ///< SelectedRange::zone of the next ranges
     bool hasFewTests_ = false;             ///< FrameView::fewTests

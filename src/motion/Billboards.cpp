@@ -46,12 +46,13 @@ Vec3 blockCornerOf(const Vec3& position) {
 
 } // namespace
 
-ObjectView::ObjectView(const Vec3& eye, const Vec3& origin, bool isOutdoors) : eye_(eye), target_(origin) {
+ObjectView::ObjectView(const Vec3& eye, const Vec3& origin, bool isOutdoors, const world::LevelShare& levels)
+    : eye_(eye), target_(origin) {
     const Vec3 corner = blockCornerOf(origin);
     const std::array<std::int32_t, 3> local = world::localRangeSteps(origin - corner);
     const auto measure = isOutdoors ? world::LevelMeasure::Landcell : world::LevelMeasure::Object;
     const world::LevelDistance away = world::levelDistance(measure, local, world::rangeStepsOf(eye - corner));
-    squared_ = away.squared;
+    squared_ = levels.seen(away.squared);
     isShared_ = away.isOfLandcell || std::hypot(origin.x - eye.x, origin.y - eye.y) >= kSharedBeyond;
     if (away.isOfLandcell) {
         const auto middle = [](std::int32_t steps) {

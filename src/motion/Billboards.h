@@ -10,8 +10,8 @@ namespace limen::motion {
 /// away from.
 class ObjectView {
 public:
-    /// Positions: global. `isOutdoors`: the object is in a landcell.
-    ObjectView(const Vec3& eye, const Vec3& origin, bool isOutdoors);
+    /// Positions: global. `isOutdoors`: the object is in a landcell. `levels`: of its range.
+    ObjectView(const Vec3& eye, const Vec3& origin, bool isOutdoors, const world::LevelShare& levels);
 
     [[nodiscard]] bool isIn(const world::LevelRange& range) const { return range.contains(squared_); }
     /// The unit vector from the eye. One for all parts of an object, unless the eye is near it; then that
@@ -21,7 +21,7 @@ public:
 private:
     Vec3 eye_, target_;
     bool isShared_ = false;     ///< `target_` is for all parts
-    std::uint32_t squared_ = 0; ///< steps
+    std::uint32_t squared_ = 0; ///< steps, as LevelShare::seen
 };
 
 /// Turns the frame of a mesh so that it faces away from `heading`, a unit vector. `linear`: world from model

@@ -13,13 +13,15 @@ using world::kNone;
 
 DynamicInstances::DynamicInstances(const world::World& world) : world_(world), membership_(world) {}
 
-void DynamicInstances::begin(const Vec3& eye, BetweenFrames between, world::DynamicState& out) {
+void DynamicInstances::begin(const Vec3& eye, const world::LevelShare& levels, BetweenFrames between,
+                             world::DynamicState& out) {
     between_ = between;
     LIMEN_ASSERT(out.closed.empty() || out.closed.size() == world_.portals.size(),
                  "portals are shut by portal, or none is");
     out.instances.clear();
     out.members.clear();
     eye_ = eye;
+    levels_ = levels;
     out_ = &out;
     spriteIds_ = 0;
 }
@@ -45,7 +47,7 @@ std::size_t DynamicInstances::addBody(const world::MovingBody& body, const BodyP
     LIMEN_ASSERT(placedIn < world_.spaces.size(), "a body is placed in a space of the world");
     const std::size_t first = count();
     const PartPoses poses(world_, body, point, between_);
-    const ObjectView view(eye_, pose.origin, placedIn == world::kOutside);
+    const ObjectView view(eye_, pose.origin, placedIn == world::kOutside, levels_);
     for (std::uint32_t p = 0; p < body.partCount; ++p) {
         world::Instance part = world_.movingParts[body.firstPart + p];
         if (part.level != kNone && !view.isIn(world_.levels[part.level].range))
@@ -84,12 +86,12 @@ std::size_t DynamicInstances::addCopies(std::span<const world::Instance> instanc
     const std::size_t first = count();
     const world::RangeSteps eye = world::rangeStepsOf(eye_);
     for (const world::Instance& instance : instances) {
-        if (!world::isInLevelRange(world_, instance, eye))
+        if (!world::isInLevelRange(world_, instance, eye, levels_))
             continue;
         world::Instance copy = instance;
         copy.level = kNone;
         if (copy.facing != world::Facing::Fixed)
-            turnToEye({eye_, objectOrigin, copy.placedIn == world::kOutside}, world_, copy);
+            turnToEye({eye_, objectOrigin, copy.placedIn == world::kOutside, levels_}, world_, copy);
         out_->instances.push_back(copy);
     }
     return first;

@@ -28,8 +28,9 @@ public:
     explicit DynamicInstances(const world::World& world);
 
     /// Begins a state: empties its instances and members. Every later call writes to `out`, whose `closed`
-    /// must already be as it will be. `eye`: global; it selects levels of detail, and billboards turn to it.
-    void begin(const Vec3& eye, BetweenFrames between, world::DynamicState& out);
+    /// must already be as it will be. `eye`: global; it selects levels of detail by `levels`, and billboards turn to it.
+    void begin(const Vec3& eye, const world::LevelShare& levels, BetweenFrames between,
+               world::DynamicState& out);
 
     [[nodiscard]] const world::World& world() const { return world_; }
     [[nodiscard]] world::DynamicState& state() const { return *out_; }
@@ -81,6 +82,7 @@ private:
     world::Membership membership_;
     std::vector<world::SpaceIndex> spaces_;
     Vec3 eye_{0.0};
+    world::LevelShare levels_;
     BetweenFrames between_ = BetweenFrames::Interpolated;
     world::DynamicState* out_ = nullptr;
     std::uint32_t spriteIds_ = 0;

@@ -10,7 +10,7 @@ namespace limen::motion {
 
 void DynamicStateBuilder::build(const DynamicStateInput& input, world::DynamicState& out) {
     shutPortals(world_, input, out); // first: shut portals stop membership
-    instances_.begin(input.eye, input.between, out);
+    instances_.begin(input.eye, input.levels, input.between, out);
     addDoors(input, instances_);
     addVillagers(input, instances_);
     addPlayer(input, instances_);

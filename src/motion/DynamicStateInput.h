@@ -33,6 +33,7 @@ struct DynamicStateInput {
     std::optional<world::SkyHour> weather;
     std::optional<PlayerBody> player;                   ///< none: no body is drawn
     Vec3 eye{0.0};                                      ///< global; weather falls around it
+    world::LevelShare levels;                           ///< of distances of levels of detail
     Vec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0}; ///< axes of the eye, which sprites face
 };
 

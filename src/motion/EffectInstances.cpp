@@ -57,9 +57,9 @@ void addSpritesOf(const world::Emitter& emitter, const DynamicStateInput& input,
 
 /// Whether the eye is near enough to an emitter for its particles to be drawn.
 bool isInReach(const world::World& world, const world::ParticleSource& source, const Vec3& emitter,
-               const Vec3& eye) {
+               const Vec3& eye, const world::LevelShare& levels) {
     const std::uint32_t level = world.movingParts[world.particleStyles[source.style].part].level;
-    return level == kNone || ObjectView(eye, emitter, false).isIn(world.levels[level].range);
+    return level == kNone || ObjectView(eye, emitter, false, levels).isIn(world.levels[level].range);
 }
 
 /// Appends the living particles of one start of a source. `now`: the carrier's frame at the input's time.
@@ -108,7 +108,7 @@ void addParticle(const DynamicStateInput& input, const ParticleOrigin& from, con
     if (!isVisible || !instances.hasSpriteIds(mesh.polygonCount))
         return;
     particle.level = kNone; // its emitter is within reach
-    const ObjectView view(input.eye, at, false);
+    const ObjectView view(input.eye, at, false, input.levels);
     const Mat3 linear =
         turnedToEye(style.facing, glm::mat3_cast(state.orientation), view.headingTo(at)) * state.scale;
     particle.block = from.block;
@@ -138,7 +138,7 @@ void addParticles(const DynamicStateInput& input, DynamicInstances& instances) {
         if (!source)
             continue;
         const CarrierFrame now = carrierOf(world, *source, input.seconds, input.between);
-        if (!isInReach(world, *source, now.origin, input.eye))
+        if (!isInReach(world, *source, now.origin, input.eye, input.levels))
             continue;
         const SourceStarts starts = startsAt(world.particleStyles[source->style], *source, input.seconds);
         for (std::int64_t start = starts.first; start <= starts.last; ++start)

@@ -62,7 +62,8 @@ LevelDistance levelDistance(LevelMeasure measure, const std::array<std::int32_t,
     return {squareOf(origin[0] - eye.x) + squareOf(origin[1] - eye.y) + squareOf(origin[2] - eye.z), false};
 }
 
-bool isInLevelRange(const World& world, const Instance& instance, const RangeSteps& eye) {
+bool isInLevelRange(const World& world, const Instance& instance, const RangeSteps& eye,
+                    const LevelShare& share) {
     if (instance.level == kNone)
         return true;
     LIMEN_ASSERT(instance.block < world.blocks.size(), "the origin is local to a block");
@@ -70,7 +71,7 @@ bool isInLevelRange(const World& world, const Instance& instance, const RangeSte
     const Level& level = world.levels[instance.level];
     const RangeSteps block = rangeStepsOf(world.blocks[instance.block].origin()); // whole metres
     const RangeSteps local{eye.x - block.x, eye.y - block.y, eye.z - block.z};
-    return level.range.contains(levelDistance(level.measure, level.origin, local).squared);
+    return level.range.contains(share.seen(levelDistance(level.measure, level.origin, local).squared));
 }
 
 } // namespace limen::world

@@ -2,6 +2,7 @@
 
 #include "geometry/Vec.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -35,6 +36,25 @@ struct LevelRange {
 
 /// A distance in metres, rounded to steps; kEndless beyond kMostRangeSteps and for NaN.
 [[nodiscard]] std::uint16_t levelRangeLimit(double metres);
+
+/// The share of their distances at which levels of detail change, for a picture with fewer pixels than its window: at half of
+/// the width and height, everything looks as it does at twice the distance.
+struct LevelShare {
+    static constexpr std::uint32_t kWhole = 16;
+    std::uint32_t sixteenths = kWhole; ///< 1..kWhole
+
+    [[nodiscard]] double value() const { return static_cast<double>(sixteenths) / kWhole; }
+    /// The squared distance to compare with a LevelRange, in steps.
+    [[nodiscard]] std::uint32_t seen(std::uint32_t squared) const {
+        const std::uint64_t farther = std::uint64_t{squared} * (kWhole * kWhole) / (sixteenths * sixteenths);
+        return static_cast<std::uint32_t>(std::min<std::uint64_t>(farther, 0xFFFFFFFFu));
+    }
+    friend bool operator==(const LevelShare&, const LevelShare&) = default;
+};
+/// That of a picture of `percent` of its window's width and height, 1 to 100; rounded up.
+[[nodiscard]] constexpr LevelShare levelShareOf(std::uint32_t percent) {
+    return {std::clamp((percent * LevelShare::kWhole + 99) / 100, 1u, LevelShare::kWhole)};
+}
 
 /// A global position in steps.
 struct RangeSteps {
@@ -74,6 +94,7 @@ struct World;
 struct Instance;
 
 /// True if a static instance is drawn for this eye. Requires: the instance has a block.
-[[nodiscard]] bool isInLevelRange(const World& world, const Instance& instance, const RangeSteps& eye);
+[[nodiscard]] bool isInLevelRange(const World& world, const Instance& instance, const RangeSteps& eye,
+                                  const LevelShare& share = {});
 
 } // namespace limen::world
