@@ -98,6 +98,7 @@ TEST(Camera, aScaledRequestHasTheSameViewToTheBit) {
         EXPECT_EQ(small.tanHalfY, whole.tanHalfY);
         EXPECT_EQ(tracedCamera(scaled).tanHalfX, whole.tanHalfX);
         EXPECT_EQ(tracedCamera(scaled).width, scaled.size.width);
+        EXPECT_EQ(scaled.levels, world::levelShareOf(percent));
     }
     scaleRequest(scaled, 50, scaled); // scaled twice, it keeps the first shape
     EXPECT_EQ(viewOf(scaled.camera, scaled.size, 0).tanHalfX,

@@ -90,6 +90,20 @@ TEST(FrameInputs, theViewersLightIsAboveTheBody_andNoneOutdoors) {
     EXPECT_EQ(frameInputs(f.world, eye).view.viewerLight, f.inside + Vec3(0, 0, 2));
 }
 
+// Ids and depth are compared with the reference, which knows neither a scaled picture nor what was planned before.
+TEST(FrameInputs, judgedFramesHaveWholeDistances_andAlwaysLeaveOutWhatIsHidden) {
+    const HutWorld f;
+    FrameRequest half;
+    scaleRequest(f.eye(f.outside, f.outside), 50, half);
+    const FrameInputs shown = frameInputs(f.world, half), judged = frameInputs(f.world, half, {.exactCutOuts = true});
+    EXPECT_EQ(shown.view.levels, world::levelShareOf(50));
+    EXPECT_EQ(shown.dynamics.levels, world::levelShareOf(50));
+    EXPECT_EQ(shown.view.occlusion, frame::Occlusion::IfWorthwhile);
+    EXPECT_EQ(judged.view.levels, world::LevelShare{});
+    EXPECT_EQ(judged.dynamics.levels, world::LevelShare{});
+    EXPECT_EQ(judged.view.occlusion, frame::Occlusion::Always);
+}
+
 TEST(FrameInputs, rainShowsADayWithRain) {
     HutWorld f;
     f.world.sky.desc.dayGroups.resize(3);

@@ -88,13 +88,15 @@ TEST(Clusters, knowAtWhichDistancesTheirLevelsOfDetailAreDrawn) {
     std::uniform_real_distribution<double> along(-300.0, 700.0), up(-50.0, 400.0);
     std::array<std::size_t, 3> found{};
     for (int view = 0; view < 60; ++view) {
+        const world::LevelShare share{view % 2 == 0 ? 16u : 8u + view % 8u};
         const Vec3 eye(along(random), along(random), up(random));
         const world::RangeSteps steps = world::rangeStepsOf(eye);
         for (const Cluster& cluster : clusters.clusters) {
-            const auto range = cluster.detail.at(cluster.bounds.centre - eye);
+            const auto range = cluster.detail.at(cluster.bounds.centre - eye, share);
             ++found[static_cast<std::size_t>(range)];
             for (std::uint32_t p = cluster.first; p < cluster.end; ++p) {
-                const bool isDrawn = world::isInLevelRange(world, world.instances[clusters.order[p]], steps);
+                const bool isDrawn =
+                    world::isInLevelRange(world, world.instances[clusters.order[p]], steps, share);
                 ASSERT_TRUE(isDrawn || range != visibility::Containment::Inside);
                 ASSERT_TRUE(!isDrawn || range != visibility::Containment::Outside);
             }
@@ -111,7 +113,7 @@ TEST(Clusters, areDrawnAtEveryDistanceWithoutLevels) {
     const Clusters clusters = frame::buildClusters(world);
     for (const Cluster& cluster : clusters.clusters)
         for (const double away : {0.0, 50.0, 1e6})
-            EXPECT_EQ(cluster.detail.at({away, 0.0, away}), visibility::Containment::Inside);
+            EXPECT_EQ(cluster.detail.at({away, 0.0, away}, {8}), visibility::Containment::Inside);
     EXPECT_TRUE(frame::ClusterBatches(clusters).details.empty());
 }
 

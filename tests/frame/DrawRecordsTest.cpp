@@ -90,13 +90,15 @@ TEST(DrawRecords, drawTheLevelsThatTheWorldDraws) {
     const frame::RecordTables tables = frame::tablesOf(frame::buildScene(planned.scene));
     std::set<std::vector<bool>> drawn;
     for (double y = 121.0; y < 190.0; y += 3.7) {
+        planned.levels = {y < 150.0 ? 16u : 11u};
         const frame::FramePlan& plan = planned.planFrom({92, y, 1.6}, 180.0, world::kOutside);
         const frame::DrawRecords records(tables, plan, {});
         const world::RangeSteps eye = world::rangeStepsOf(planned.view.view.eye);
         std::vector<bool> here;
         for (std::uint32_t i = 0; i < planned.world.instances.size(); ++i) {
             here.push_back(records.isInRange(i));
-            EXPECT_EQ(here.back(), world::isInLevelRange(planned.world, planned.world.instances[i], eye));
+            EXPECT_EQ(here.back(),
+                      world::isInLevelRange(planned.world, planned.world.instances[i], eye, planned.levels));
         }
         drawn.insert(here);
     }

@@ -34,7 +34,7 @@ struct OneVisit {
 /// The expected selection, without optimization: one cluster after the other.
 void choose(const Clusters& clusters, const Cluster& cluster, const OneVisit& from,
             std::vector<bool>& chosen) {
-    const Containment levels = cluster.detail.at(cluster.bounds.centre - from.eye);
+    const Containment levels = cluster.detail.at(cluster.bounds.centre - from.eye, {});
     if (levels == Containment::Outside)
         return;
     const Containment seen = from.lies(cluster.bounds);

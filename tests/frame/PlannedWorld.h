@@ -42,6 +42,7 @@ struct PlannedWorld {
         view.gate = gate;
         view.coverageDecides = coverageDecides;
         view.occlusion = occlusion;
+        view.levels = levels;
         const visibility::Graph& flooded = gate == frame::Gate::Ownership ? graph : spaceGraph;
         EXPECT_TRUE(visibility::flood(flooded, {}, view.view, {}, scratch, visible));
         planner.plan(view, visible, plan);
@@ -74,6 +75,7 @@ struct PlannedWorld {
     visibility::VisibleSet visible;
     frame::Gate gate = frame::Gate::Ownership;          ///< of the next plans
     bool coverageDecides = false;                       ///< as FrameView::coverageDecides, of the next plans
+    world::LevelShare levels;                           ///< of the next plans
     frame::Occlusion occlusion = frame::Occlusion::Off; ///< of the next plans
     frame::FrameView view;
     frame::FramePlan plan;

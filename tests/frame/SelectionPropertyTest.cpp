@@ -71,11 +71,12 @@ std::map<std::uint32_t, bool> chosen(const world::World& world, const frame::Clu
 
 /// Removes the static instances whose level of detail is out of range: a selection may leave them out. Returns their
 /// number.
-std::size_t removeFarther(const world::World& world, const Vec3& eye, std::map<std::uint32_t, bool>& drawn) {
+std::size_t removeFarther(const world::World& world, const Vec3& eye, const world::LevelShare& share,
+                          std::map<std::uint32_t, bool>& drawn) {
     const world::RangeSteps steps = world::rangeStepsOf(eye);
     return std::erase_if(drawn, [&](const auto& entry) {
         return entry.first < world.instances.size() &&
-               !world::isInLevelRange(world, world.instances[entry.first], steps);
+               !world::isInLevelRange(world, world.instances[entry.first], steps, share);
     });
 }
 
@@ -112,13 +113,14 @@ void compareViews(const world::World& world, std::uint32_t seed, Tally& tally) {
     std::mt19937 random(seed);
     for (int view = 0; view < 40; ++view) {
         const world::DynamicState dynamics = movedCopies(world, view % 2 * 50u, random);
-        const frame::FrameView frame = anyView(world, random);
+        frame::FrameView frame = anyView(world, random);
+        frame.levels = {view % 3 == 0 ? 8u : 16u};
         ASSERT_TRUE(visibility::flood(*graph, {}, frame.view, {}, scratch, set));
         selection.select(frame, dynamics, set);
         auto drawn = chosen(world, clusters, dynamics, selection);
         auto expected = selectOneByOne(world, dynamics, frame, set);
-        tally.outOfRange += removeFarther(world, frame.view.eye, drawn);
-        tally.expectedOutOfRange += removeFarther(world, frame.view.eye, expected);
+        tally.outOfRange += removeFarther(world, frame.view.eye, frame.levels, drawn);
+        tally.expectedOutOfRange += removeFarther(world, frame.view.eye, frame.levels, expected);
         if (set.visits.size() > 1) {
             ASSERT_EQ(drawn, expected) << "seed " << seed << ", view " << view;
         } else { // clusters across the picture's edges are drawn whole

@@ -83,7 +83,7 @@ TEST(Billboards, faceOneDirectionForAnObjectUnlessTheEyeIsNear) {
     const Vec3 object(100.0 * 192.0 + 30.0, 200.0 * 192.0 + 40.0, 7.0), part = object + Vec3(2, 0, 5);
     const Vec3 middle(object.x + 6.0, object.y - 4.0, 0.0); // of landcell (1, 1)
     const auto heading = [&](const Vec3& eye, bool isOutdoors) {
-        return ObjectView(eye, object, isOutdoors).headingTo(part);
+        return ObjectView(eye, object, isOutdoors, {}).headingTo(part);
     };
     const Vec3 near = object + Vec3(0, -4, 0), off = object + Vec3(0, -6, 1);
     const Vec3 far(middle.x - 51.0, middle.y, 300.0), notQuite(middle.x - 49.0, middle.y, 30.0);

@@ -11,6 +11,7 @@ namespace {
 struct LevelRangeTest : ::testing::Test {
     World world;
     Instance instance;
+    LevelShare share;
     const Vec3 local{96.5, 20.25, 12.0}; ///< in landcell (4, 0), whose middle is at (108, 12)
     LevelRangeTest() {
         world.blocks.push_back({{200, 31}, false, {}, {}});
@@ -19,7 +20,7 @@ struct LevelRangeTest : ::testing::Test {
         instance.level = 0;
     }
     [[nodiscard]] bool isSeenFrom(const Vec3& blockLocal) const {
-        return isInLevelRange(world, instance, rangeStepsOf(world.blocks[0].origin() + blockLocal));
+        return isInLevelRange(world, instance, rangeStepsOf(world.blocks[0].origin() + blockLocal), share);
     }
     [[nodiscard]] bool isSeenAcross(const Vec3& offset) const { return isSeenFrom(local + offset); }
 };
@@ -60,8 +61,27 @@ TEST_F(LevelRangeTest, exactlyOneOfTheLevelsFromEverywhere) {
                 seen += isSeenAcross(offset) ? 1 : 0;
             }
             ASSERT_EQ(seen, 1) << i;
+            share = {1u + static_cast<std::uint32_t>(i) % 16}; // of the next
         }
     }
+}
+
+TEST_F(LevelRangeTest, atHalfOfItsDistanceInAPictureOfHalfTheSize) {
+    world.levels[0].range = {levelRangeLimit(20.0), levelRangeLimit(40.0)};
+    const auto isSeenAt = [&](double metres) { return isSeenAcross(Vec3(metres, 0, 0)); };
+    EXPECT_TRUE(!isSeenAt(19.9) && isSeenAt(20.1) && isSeenAt(39.9) && !isSeenAt(40.1));
+    share = levelShareOf(50);
+    EXPECT_TRUE(!isSeenAt(9.9) && isSeenAt(10.1) && isSeenAt(19.9) && !isSeenAt(20.1));
+}
+
+TEST(LevelShare, isThatOfThePictureRoundedUp) {
+    EXPECT_EQ(levelShareOf(100), LevelShare{});
+    EXPECT_EQ(levelShareOf(50).sixteenths, 8u);
+    EXPECT_EQ(levelShareOf(51).sixteenths, 9u);
+    EXPECT_EQ(levelShareOf(94).sixteenths, 16u);
+    EXPECT_EQ(levelShareOf(1).sixteenths, 1u);
+    EXPECT_EQ(LevelShare{8}.seen(100), 400u);
+    EXPECT_EQ(LevelShare{1}.seen(0xFFFFFFFFu), 0xFFFFFFFFu) << "no overflow";
 }
 
 TEST_F(LevelRangeTest, fartherThanNumbersGo) {
