@@ -46,7 +46,7 @@ bool DrawRecords::isInRange(std::uint32_t instance) const {
             .squared;
     return world::LevelRange{static_cast<std::uint16_t>(level.range),
                              static_cast<std::uint16_t>(level.range >> 16)}
-        .contains(plan_.levels.seen(squared));
+        .contains(world::LevelShare{plan_.levelSixteenths}.seen(squared));
 }
 
 std::uint32_t DrawRecords::replaced(std::uint32_t instance) const {

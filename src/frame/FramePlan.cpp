@@ -22,6 +22,7 @@ void FramePlan::clear() {
     batches.clear();
     stages.clear();
     gate = Gate::Ownership;
+    levelSixteenths = 16;
     plainSky = {};
     clips = false;
     spaces.clear();

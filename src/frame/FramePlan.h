@@ -2,7 +2,6 @@
 
 #include "frame/Gate.h"
 #include "frame/GpuLayout.h"
-#include "world/LevelRange.h"
 
 #include <array>
 #include <cstddef>
@@ -135,7 +134,7 @@ struct FramePlan {
     std::vector<std::uint32_t> dynamicInstances; ///< the visible ones, by their numbers in the dynamic state
     std::vector<DynamicChange> dynamicChanges;   ///< members of several zones, and highlights; ascending
     std::vector<gpu::Instance> records;          ///< more instances of this frame
-    world::LevelShare levels;                    ///< FrameView::levels
+    std::uint32_t levelSixteenths = 16;          ///< FrameView::levels
     std::vector<gpu::Replacement> replacements; ///< instances of the scene that are drawn by one of `records`
     std::vector<gpu::Member> members;
     std::vector<gpu::DrawPiece> pieces; ///< of dynamic instances and of the sky

@@ -76,7 +76,7 @@ void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
         return;
     }
     plan.gate = frame.gate;
-    plan.levels = frame.levels;
+    plan.levelSixteenths = frame.levels.sixteenths;
     if (frame.gate != Gate::Ownership)
         plan.spaces.push_back({set.visits[0].space, 1, 0, 0});
     beginStage(plan, StageKind::Ownership);

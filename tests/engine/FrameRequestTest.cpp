@@ -95,7 +95,8 @@ TEST(FrameInputs, judgedFramesHaveWholeDistances_andAlwaysLeaveOutWhatIsHidden) 
     const HutWorld f;
     FrameRequest half;
     scaleRequest(f.eye(f.outside, f.outside), 50, half);
-    const FrameInputs shown = frameInputs(f.world, half), judged = frameInputs(f.world, half, {.exactCutOuts = true});
+    const FrameInputs shown = frameInputs(f.world, half),
+                      judged = frameInputs(f.world, half, {.exactCutOuts = true});
     EXPECT_EQ(shown.view.levels, world::levelShareOf(50));
     EXPECT_EQ(shown.dynamics.levels, world::levelShareOf(50));
     EXPECT_EQ(shown.view.occlusion, frame::Occlusion::IfWorthwhile);
