@@ -14,7 +14,7 @@ namespace limen::visibility {
 /// (decision 214). A pixel is covered if its centre is, as for a rasteriser.
 ///
 /// Reuse it: steady frames allocate nothing.
-class LIMEN_API OcclusionBuffer {
+class OcclusionBuffer {
 public:
     /// Triangles nearer than this count as this far, metres.
     static constexpr double kNearest = 4.0;
