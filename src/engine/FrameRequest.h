@@ -27,7 +27,8 @@ struct FrameRequest {
 [[nodiscard]] Result<FrameRequest> frameRequest(const world::World& world, const world::WorldFile& file,
                                                 const ViewRequest& request);
 
-/// The same view, drawn with `percent` per cent of the pixels each way, and levels of detail as far away as they then look. `out` keeps its storage. As scaledSize.
+/// The same view, drawn with `percent` per cent of the pixels each way. Levels of detail change as in a view that much farther
+/// away. `out` keeps its storage. As scaledSize.
 void scaleRequest(const FrameRequest& request, std::uint32_t percent, FrameRequest& out);
 
 /// Options of a frame's output. They do not change its content.
