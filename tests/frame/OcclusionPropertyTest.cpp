@@ -38,25 +38,30 @@ std::map<std::uint32_t, world::InstanceIndex> instancesById(const world::World& 
     return byId;
 }
 
+/// In the picture, without its border.
 std::set<world::InstanceIndex> metIn(const std::map<std::uint32_t, world::InstanceIndex>& byId,
                                      const reference::Picture& picture) {
     std::set<world::InstanceIndex> out;
-    for (const reference::Answer& answer : picture.answers)
-        if (answer.id > 1)
-            out.insert(std::prev(byId.upper_bound(answer.id))->second);
+    for (int y = 0; y < static_cast<int>(picture.height); ++y)
+        for (int x = 0; x < static_cast<int>(picture.width); ++x)
+            if (const std::uint32_t id = picture.at(x, y).id; id > 1)
+                out.insert(std::prev(byId.upper_bound(id))->second);
     return out;
 }
 
-/// A view from outside, near an instance, from close to the ground to high above it.
+/// A view from outside, near an instance, from close to the ground to high above it. One draw of a number a statement: the order
+/// within an expression differs between compilers.
 frame::FrameView viewFromOutside(const world::World& world, std::mt19937& random) {
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const world::Instance& near = world.instances[random() % world.instances.size()];
-    const double away = near.bounds.radius + 40.0 * unit(random) * unit(random),
-                 angle = 2.0 * M_PI * unit(random);
-    const Vec3 eye =
-        near.bounds.centre + away * Vec3(std::cos(angle), std::sin(angle), 0.6 * unit(random) - 0.1);
-    return frame::makeView(eye, 360.0 * unit(random), 50.0 * unit(random) - 40.0, 75.0, 200, 120,
-                           world::kOutside);
+    const double closeness = unit(random);
+    const double away = near.bounds.radius + 40.0 * closeness * unit(random);
+    const double angle = 2.0 * M_PI * unit(random);
+    const double rise = 0.6 * unit(random) - 0.1;
+    const double heading = 360.0 * unit(random);
+    const double pitch = 50.0 * unit(random) - 40.0;
+    const Vec3 eye = near.bounds.centre + away * Vec3(std::cos(angle), std::sin(angle), rise);
+    return frame::makeView(eye, heading, pitch, 75.0, 200, 120, world::kOutside);
 }
 
 reference::Camera tracedBy(const frame::FrameView& view) {
