@@ -38,6 +38,9 @@ vec3 eyeRelativePlace() {
     return result;
 }
 
+// Of depth: so much that another program's rounding does not bring the same surface to the front.
+const float kBehindRoot = 1.0 - 1.0 / 1048576.0;
+
 const uint kLightKind = (1u << kRecordDetail) - 1u;
 
 #ifdef DETAILS
@@ -127,6 +130,9 @@ void setSurface(vec3 eyeRelative) {
 void main() {
     vec3 eyeRelative = eyeRelativePlace();
     gl_Position = clipFromEye(eyeRelative);
+#if defined(GATED) && !defined(BLENDED)
+    gl_Position.z *= (frame.flags & kFrameRootFirst) != 0u ? kBehindRoot : 1.0;
+#endif
     clipBy(uint(inOffsetRest.w));
 #ifdef TERRAIN
     Look look = lookOf(eyeRelative, vec3(1.0), 0.0, 1.0);

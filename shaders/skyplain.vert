@@ -1,5 +1,6 @@
 // Triangles over the whole screen, or over rectangles, behind everything. Out: view direction in world axes, unnormalised.
 // CLIPPED: each triangle is clipped by the clip set with its number. VOIDS: for voids.frag, before the sky.
+// CLEARING: for clearing.frag, with the depth of a pixel without a surface.
 #include "buffers.glsl"
 #include "clip.glsl"
 
@@ -23,6 +24,8 @@ void main() {
     vDirection = nearPoint.xyz / nearPoint.w;
 #ifdef VOIDS
     gl_Position = vec4(corner, kVoidDepth, 1.0);
+#elif defined(CLEARING)
+    gl_Position = vec4(corner, 0.0, 1.0);
 #else
     gl_Position = vec4(corner, kSkyDepth, 1.0);
 #endif

@@ -140,6 +140,8 @@ LIMEN_CONST kVoidId = 0u;
 LIMEN_CONST kFrameExactCutOuts = 1u; // cut-outs are tested at mip level 0, nearest texel (for ids and depth)
 
 LIMEN_CONST kFramePixelLamps = 8u; // lamps light walls in fragments; selects program variants
+LIMEN_CONST kFrameRootFirst =
+    16u; // draws with the ownership test lose to those of the same surface without it
 
 // DeviceConstants.flags
 LIMEN_CONST kFrameStaticIndices = 2u; // draws use the static indices, uncompacted
@@ -176,7 +178,7 @@ LIMEN_STRUCT(ViewConstants) {
     vec4 detailTiling LIMEN_ZERO;
     uint rootZone LIMEN_ZERO;
     uint visitCount LIMEN_ZERO;
-    uint flags LIMEN_ZERO; // kFrameExactCutOuts, kFramePixelLamps
+    uint flags LIMEN_ZERO; // kFrameExactCutOuts, kFramePixelLamps, kFrameRootFirst
     float nearPlane LIMEN_ZERO;
     uint staticInstances LIMEN_ZERO; // numbers from here on are the frame's instances
     uint staticMembers LIMEN_ZERO;   // numbers from here on are the frame's members

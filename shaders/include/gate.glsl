@@ -112,6 +112,23 @@ bool isBeforeNext(vec4 next, vec3 at, float tolerance) {
 #endif
 }
 
+// Whether a surface of the root is before the opening by which the pixel's ray leaves the root; false if it leaves none. Of a
+// shut opening a surface in its plane is not: the filling is met first.
+bool isBeforeExit(vec3 at) {
+    uint visitIndex = leafVisit();
+    vec4 next = vec4(0.0);
+    uint shutBy = 0u;
+    do {
+        Visit visit = visitAt(visitIndex);
+        bool isRoot = visit.parent >= frame.visitCount;
+        next = isRoot ? next : visit.entryPlane;
+        shutBy = isRoot ? shutBy : visit.shutBy;
+        visitIndex = visit.parent;
+    } while (visitIndex < frame.visitCount);
+    SurfacePoint point = SurfacePoint(at, vec3(0.0), vec3(0.0)); // beside an edge, depths of adjacent pixels tell no slope
+    return isBeforeNext(next, at, shutBy != 0u ? -kInPlaneTolerance : toleranceFor(next.xyz, point));
+}
+
 const vec4 kNothingBeyond = vec4(0.0, 0.0, 0.0, -1.0); // the leaf has no next visit
 
 // Follows the chain from the pixel's leaf visit to the root; parents come before children, so it ends. Without `walks`

@@ -2,7 +2,11 @@
 #include "samples.glsl"
 #include "ray.glsl"
 
-// The rasteriser's depth is near plane / view depth, so the fragment is that far along its pixel's ray.
+// The place with this depth in the fragment's pixel. Depth is near plane / view depth, so it is that far along the ray.
+vec3 placeAt(float depth) {
+    return rayThrough(pixelOfPicture()) * (frame.nearPlane / depth);
+}
+
 vec3 placeHere() {
-    return rayThrough(pixelOfPicture()) * (frame.nearPlane / gl_FragCoord.z);
+    return placeAt(gl_FragCoord.z);
 }

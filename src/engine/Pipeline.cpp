@@ -88,6 +88,7 @@ void Pipeline::plan(const frame::FrameView& view) {
     planned.gate = gate_;
     planned.fewTests = planned.fillsVoids = planned.coverageDecides =
         renderer_.options().drawing == gpu::Drawing::Fast;
+    planned.rootFirst = renderer_.choices().rootFirst;
     planned.levels = drawnLevels(view.levels);
     if (!renderer_.choices().occludes)
         planned.occlusion = frame::Occlusion::Off;

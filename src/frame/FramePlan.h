@@ -31,9 +31,10 @@ enum class Program : std::uint8_t {
     SkyObjects, ///< sky meshes; baseInstance indexes skyInstances
     Blended,    ///< meshes of the transparent stage
     Stamp,      ///< depth of openings at the far plane, in front of everything; vertices as Ownership
-    Fence       ///< depth of openings where they are; vertices as Ownership
+    Fence,      ///< depth of openings where they are; vertices as Ownership
+    Clearing    ///< rectangles: clears pixels whose ray leaves the root before the surface that was drawn
 };
-inline constexpr std::size_t kProgramCount = 9;
+inline constexpr std::size_t kProgramCount = 10;
 /// Programs that draw triangles of ownershipVertices.
 [[nodiscard]] constexpr bool drawsOpenings(Program program) {
     return program == Program::Ownership || program == Program::Stamp || program == Program::Fence;
@@ -45,6 +46,10 @@ struct RectRun {
     friend bool operator==(const RectRun&, const RectRun&) = default;
 };
 
+/// The batches that draw an instance in a plan with FrameView::rootFirst: those before the openings are cleared take no
+/// ownership test and show the root visit alone, those after it show any visit.
+enum class Turn : std::uint8_t { Before, After, Both };
+
 /// Consecutive pieces; each is a draw command.
 struct PieceRun {
     std::uint32_t firstPiece = 0, pieceCount = 0; ///< the scene's pieces; numbers beyond them are the plan's
@@ -52,6 +57,7 @@ struct PieceRun {
     std::uint32_t indexCount = 0;                 ///< of all pieces
     bool gated = false;                           ///< their fragments take the ownership test
     RectRun rects{};                              ///< no fragment outside these rectangles is visible
+    Turn turn = Turn::After;                      ///< counts in batches that have one
 };
 
 /// Runs of pieces of one program: one GL draw call.
@@ -64,7 +70,8 @@ struct Batch {
     /// Pieces of all its runs. For openings: 1 if they draw anything. For SkyPlain: 0 if no ray ends outside, else
     /// triangles, one for each clip set.
     std::uint32_t draws = 0;
-    bool shells = true; ///< a draw may be the shell of a cell
+    bool shells = true;     ///< a draw may be the shell of a cell
+    Turn turn = Turn::Both; ///< the share of the runs that it draws: those of this turn; Both: all
 };
 
 /// Makes the device records of dynamic instances when the plan is drawn. The instances stay in the dynamic

@@ -74,4 +74,11 @@ RectRun rectsOfOpenings(const FrameView& frame, const visibility::VisibleSet& se
     return addRects(touched, plan);
 }
 
+double shareOf(const RectRun& rects, const FramePlan& plan) {
+    double area = 0.0; // NDC
+    for (std::size_t i = rects.first; i < std::size_t{rects.first} + rects.count; ++i)
+        area += double{plan.rects[i].z - plan.rects[i].x} * double{plan.rects[i].w - plan.rects[i].y};
+    return area / 4.0;
+}
+
 } // namespace limen::frame

@@ -12,4 +12,7 @@ namespace limen::frame {
 [[nodiscard]] RectRun rectsOfOpenings(const FrameView& frame, const visibility::VisibleSet& set,
                                       FramePlan& plan);
 
+/// The share of the picture that rectangles of the plan have, 0..1, if they do not overlap.
+[[nodiscard]] double shareOf(const RectRun& rects, const FramePlan& plan);
+
 } // namespace limen::frame

@@ -92,6 +92,7 @@ void OpeningTriangles::drawRegion(std::uint32_t visit) {
         for (const Vec3& corner : {region[0], region[i], region[i + 1]})
             plan_.ownershipVertices.push_back(
                 {Vec3f(corner), 0, visit, 0, first, gpu::kOnScreen, Vec3f(0.0f), 1});
+        face(region[0], region[i], region[i + 1]);
     }
 }
 
@@ -118,11 +119,21 @@ void OpeningTriangles::drawPortal(std::uint32_t visit, const Clipping& by) {
         plan_.ownershipVertices.push_back(
             {parts.nearest, portal.block, visit, by.set, first, count, parts.rest, by.edges});
     };
+    const auto onScreen = [&](const Vec3& local) { return screen_ * (local + origin - frame_.view.eye); };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 from = polygon[i] - origin, to = polygon[(i + 1) % polygon.size()] - origin;
         corner(middle);
-        corner(polygon[i] - origin);
-        corner(polygon[(i + 1) % polygon.size()] - origin);
+        corner(from);
+        corner(to);
+        face(onScreen(middle), onScreen(from), onScreen(to));
     }
+}
+
+// The exact way finds the outline of an opening by the order of its vertices.
+void OpeningTriangles::face(const Vec3& a, const Vec3& b, const Vec3& c) {
+    if (frame_.coverageDecides && frame_.gate == Gate::Ownership && glm::dot(a, glm::cross(b, c)) < 0.0)
+        std::swap(plan_.ownershipVertices.back(),
+                  plan_.ownershipVertices[plan_.ownershipVertices.size() - 2]);
 }
 
 } // namespace limen::frame

@@ -10,7 +10,8 @@
 namespace limen::frame {
 
 /// Appends the triangles of openings to a plan: `ownershipVertices`, and a clip set for each region that clips
-/// them. An opening has the same vertices as the walls around it. All arguments must outlive it.
+/// them. An opening has the same vertices as the walls around it. With FrameView::coverageDecides and Gate::Ownership triangles
+/// are counter-clockwise in the picture. All arguments must outlive it.
 class OpeningTriangles {
 public:
     OpeningTriangles(const world::World& world, const FrameView& frame, const visibility::VisibleSet& set,
@@ -65,6 +66,8 @@ private:
     void draw(std::uint32_t visit, const Clipping& by);
     void drawEverywhere(std::uint32_t visit, const Clipping& by);
     void drawPortal(std::uint32_t visit, const Clipping& by);
+    /// Turns the last triangle, if need be. Its corners on the screen, homogeneous.
+    void face(const Vec3& a, const Vec3& b, const Vec3& c);
 
     const world::World& world_;
     const FrameView& frame_;

@@ -36,7 +36,7 @@ void addRun(const PieceRun& run, FramePlan& plan) {
     Batch& batch = plan.batches.back();
     batch.draws += run.pieceCount;
     PieceRun* last = batch.count > 0 ? &plan.runs.back() : nullptr;
-    if (last != nullptr && last->gated == run.gated && last->rects == run.rects &&
+    if (last != nullptr && last->gated == run.gated && last->rects == run.rects && last->turn == run.turn &&
         last->firstPiece + last->pieceCount == run.firstPiece &&
         last->indicesBefore + last->indexCount == run.indicesBefore) {
         last->pieceCount += run.pieceCount;

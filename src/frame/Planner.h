@@ -44,8 +44,12 @@ private:
     void fillCounts(const visibility::VisibleSet& set, FramePlan& plan) const;
     void planSolid(bool several, FramePlan& plan);
     void addSolid(DrawClass drawn, bool several, FramePlan& plan);
-    void planSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
-    static void planPlainSky(const FrameView& frame, const visibility::VisibleSet& set, FramePlan& plan);
+    /// For FrameView::rootFirst. `openings`: rectangles that contain all pixels whose ray leaves the root.
+    void planSolidRootFirst(const RectRun& openings, FramePlan& plan);
+    void planSky(const FrameView& frame, const visibility::VisibleSet& set, const RectRun& openings,
+                 FramePlan& plan);
+    static void planPlainSky(const FrameView& frame, const visibility::VisibleSet& set,
+                             const RectRun& openings, FramePlan& plan);
     void planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics, FramePlan& plan);
 
     const StaticScene& scene_;
@@ -56,6 +60,7 @@ private:
     ZoneScreenRects rects_;
     DynamicPieces dynamicPieces_; ///< of the frame
     TransparentRuns transparent_;
+    bool isRootFirst_ = false; ///< FrameView::rootFirst counts in this frame
     std::vector<world::SkyPlacement> sky_;
     std::vector<std::pair<double, std::uint32_t>> lamps_; ///< squared distance from the eye, and number
 };

@@ -16,6 +16,11 @@ constexpr std::uint32_t kSpheresAtOnce = visibility::SphereBatch::kCount;
 static_assert(kSpheresAtOnce <= world::ListedInstances::kSpare, "a batch may begin at any listed instance");
 static_assert(world::ListedInstances::kMostOffset <= visibility::SphereBatch::kMostOffset);
 
+/// Of an instance that one visit shows.
+Turn turnOf(std::uint32_t visit) {
+    return visit == 0 ? Turn::Before : Turn::After;
+}
+
 bool isWholeScreen(const visibility::Rect& rect) {
     return rect.minX <= -1.0 && rect.minY <= -1.0 && rect.maxX >= 1.0 && rect.maxY >= 1.0;
 }
@@ -41,6 +46,7 @@ void Selection::select(const FrameView& frame, const world::DynamicState& dynami
     nearPlane_ = frame.nearPlane;
     hasSeveralVisits_ = set.visits.size() > 1;
     hasFewTests_ = frame.fewTests;
+    hasTurns_ = frame.rootFirst;
     levelShare_ = frame.levels;
     testsEveryVisit_ = frame.rules.viewcone;
     dynamicResults_.resize(dynamics.instances.size());
@@ -89,7 +95,7 @@ void Selection::selectStatic(const TestedSpace& tested, std::uint32_t root) {
     if (!hasSeveralVisits_ && !tests_[tested.firstTest].isNarrow && !occluders_.areReady()) {
         for (const PositionRange& range :
              levels_.select(tested.space, cones_, eye_, forward_, nearPlane_, levelShare_))
-            draw(range.first, range.end, true);
+            draw(range.first, range.end, true, Turn::Before);
         counts_.boundsTested += levels_.boundsTested();
         return;
     }
@@ -136,13 +142,13 @@ Containment Selection::testStatic(const SpaceTest& test, std::uint32_t position,
     return isAsked && exits_.areBeyond(instance) ? Containment::Inside : found;
 }
 
-void Selection::drawInRange(const Cluster& cluster) {
+void Selection::drawInRange(const Cluster& cluster, Turn turn) {
     const Containment levels = cluster.detail.at(cluster.bounds.centre - eye_, levelShare_);
     if (levels == Containment::Inside || (levels == Containment::Partial && cluster.childCount == 0))
-        draw(cluster.first, cluster.end, true);
+        draw(cluster.first, cluster.end, true, turn);
     else if (levels == Containment::Partial)
         for (std::uint32_t i = 0; i < cluster.childCount; ++i)
-            drawInRange(clusters_.clusters[cluster.firstChild + i]);
+            drawInRange(clusters_.clusters[cluster.firstChild + i], turn);
 }
 
 void Selection::drawUnhidden(const Cluster& cluster) {
@@ -161,7 +167,7 @@ void Selection::drawUnhidden(const Cluster& cluster) {
         if (occluders_.hideAt(position))
             ++counts_.hidden;
         else
-            draw(position, position + 1, true);
+            draw(position, position + 1, true, Turn::Before);
 }
 
 void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
@@ -180,7 +186,7 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
             if (test.visit == 0 && occluders_.areReady())
                 drawUnhidden(cluster);
             else
-                drawInRange(cluster);
+                drawInRange(cluster, turnOf(test.visit));
             active_.resize(endActive);
             return;
         }
@@ -206,22 +212,31 @@ void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
     for (std::uint32_t position = leaf.first; position < leaf.end; ++position) {
         const SeenSphere sphere = sphereOf(clusters_.bounds[position]);
         Containment best = Containment::Outside;
-        for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i)
-            best = std::max(best, testStatic(tests_[active_[i]], position, sphere));
+        Turn turn = Turn::After;
+        for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i) {
+            const Containment here = testStatic(tests_[active_[i]], position, sphere);
+            if (here == Containment::Outside)
+                continue;
+            const Turn of = turnOf(tests_[active_[i]].visit);
+            turn =
+                best == Containment::Outside || here == Containment::Inside || of == turn ? of : Turn::Both;
+            best = here;
+        }
         if (best != Containment::Outside)
-            draw(position, position + 1, best == Containment::Inside);
+            draw(position, position + 1, best == Containment::Inside, turn);
     }
 }
 
-void Selection::draw(std::uint32_t first, std::uint32_t end, bool inside) {
+void Selection::draw(std::uint32_t first, std::uint32_t end, bool inside, Turn turn) {
     const bool gated = hasSeveralVisits_ && !inside;
     counts_.drawn += end - first;
     counts_.ungated += gated ? 0 : end - first;
     SelectedRange* const last = ranges_.empty() ? nullptr : &ranges_.back();
-    if (last != nullptr && last->end == first && last->gated == gated && last->zone == zone_)
+    if (last != nullptr && last->end == first && last->gated == gated && last->zone == zone_ &&
+        (last->turn == turn || !hasTurns_))
         last->end = end;
     else
-        ranges_.push_back({first, end, gated, zone_});
+        ranges_.push_back({first, end, gated, turn, zone_});
 }
 
 bool Selection::testShared(const SpaceTest& test, const Sphere& bounds, SharedResult& result) {
@@ -319,7 +334,7 @@ void Selection::finishListed(const world::DynamicState& dynamics) {
             // A member of several zones always takes the test, because the zone of each fragment also selects
             // its light.
             draw(position, position + 1,
-                 seen == Containment::Inside && clusters_.sharedIsInOneZone[number] != 0);
+                 seen == Containment::Inside && clusters_.sharedIsInOneZone[number] != 0, Turn::After);
         }
     }
     const std::vector<world::InstanceIndex>& instance = dynamics.listed.instance;

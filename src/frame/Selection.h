@@ -1,5 +1,6 @@
 #pragma once
 
+#include "frame/FramePlan.h"
 #include "frame/FrameView.h"
 #include "frame/LevelSelection.h"
 #include "frame/Occluders.h"
@@ -15,6 +16,7 @@ namespace limen::frame {
 struct SelectedRange {
     std::uint32_t first = 0, end = 0;
     bool gated = false;
+    Turn turn = Turn::After; ///< for FrameView::rootFirst
     /// With several visits: the only zone that all of them are members of. Else kNone.
     world::ZoneIndex zone = world::kNone;
 };
@@ -89,7 +91,7 @@ private:
     [[nodiscard]] Containment testStatic(const SpaceTest& test, std::uint32_t position,
                                          const visibility::SeenSphere& sphere);
     /// Draws a cluster that is Inside a visit.
-    void drawInRange(const Cluster& cluster);
+    void drawInRange(const Cluster& cluster, Turn turn);
     /// Draws the instances of a cluster that is Inside the root visit and not hidden as a whole.
     void drawUnhidden(const Cluster& cluster);
     void descend(const Cluster& cluster, std::size_t firstActive);
@@ -104,7 +106,7 @@ private:
     bool testShared(const SpaceTest& test, const Sphere& bounds, SharedResult& result);
     void testSharedDynamic(const SpaceTest& test, const world::DynamicState& dynamics, std::uint32_t at);
     void finishListed(const world::DynamicState& dynamics);
-    void draw(std::uint32_t first, std::uint32_t end, bool inside);
+    void draw(std::uint32_t first, std::uint32_t end, bool inside, Turn turn);
     void drawDynamic(std::uint32_t at, bool inside);
 
     const world::World& world_;
@@ -119,6 +121,7 @@ private:
     bool hasSeveralVisits_ = false;
     world::ZoneIndex zone_ = world::kNone; ///< SelectedRange::zone of the next ranges
     bool hasFewTests_ = false;             ///< FrameView::fewTests
+    bool hasTurns_ = false;                ///< FrameView::rootFirst
     bool testsEveryVisit_ = false;         ///< Rules::viewcone
     std::uint32_t frameNumber_ = 0;
     std::vector<SpaceTest> tests_; ///< by VisibleSet::seen

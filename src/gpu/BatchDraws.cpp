@@ -35,8 +35,10 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
         out.count = batch.draws > 0 ? 2 : 1;
     } else if (isSky(batch.program)) {
         out.draws[0].variant.gated = batch.gated;
-    } else if (batch.gated && batch.program == frame::Program::Blended) {
-        out.draws[0].variant.lamps = slots.lampsInSecond; // one part, because of the order
+    } else if (batch.gated &&
+               (batch.program == frame::Program::Blended || batch.turn == frame::Turn::After)) {
+        out.draws[0].variant.lamps =
+            slots.lampsInSecond; // one part, of the transparent ones because of the order
         return out;
     } else if (batch.gated) {
         out.draws[0] = {variant, slots.first, slots.second - slots.first};
@@ -52,14 +54,15 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
 DrawState stateOf(frame::Program program, const ProgramVariant& variant, const FrameKind& frame) {
     const bool fast = frame.drawing == Drawing::Fast;
     DrawState state;
-    // Exact outlines cull back faces per triangle (cull.comp); a portal polygon counts from both sides.
-    const bool culled = fast || !frame.exactOutlines;
-    state.cullBackFaces = culled && !drawsOpenings(program);
+    // A portal polygon counts from both sides.
+    state.cullBackFaces = frame.cullsBackFaces() && (!drawsOpenings(program) || frame.facesOpenings);
     // A fast sky needs no depth: nothing but its objects is drawn over it. Sky objects have the depth of the plain sky, or none.
     const bool isVoids = drawsVoids(frame.drawing, program, variant);
     state.writeDepth = program != frame::Program::Blended && program != frame::Program::SkyObjects &&
                        !(fast && isSky(program) && !isVoids);
-    state.depthTest = program == frame::Program::Stamp ? DepthTest::Always : DepthTest::Nearer;
+    state.depthTest = program == frame::Program::Stamp || program == frame::Program::Clearing
+                          ? DepthTest::Always
+                          : DepthTest::Nearer;
     state.clips = frame.clipped && !drawsOpenings(program);
     return state;
 }

@@ -19,12 +19,16 @@ struct FrameKind {
     bool grainedMeshes = false, grainedLand = false; ///< detail pictures
     bool pixelLamps = false;                         ///< lamps light walls in fragments
     bool clipped = false;                            ///< FramePlan::clips
+    bool facesOpenings = false; ///< triangles of openings are counter-clockwise (FrameView::coverageDecides)
     /// DriverChoices::overlaps, in a frame with colour and depth alone. Its solid pass clears both in one call.
     bool overlaps = false;
     /// FramePlan::plainSky, in a fast frame with the objects of the sky and without ids.
     frame::RectRun plainSky{};
     bool manyVisits = false; ///< more than frame::VisitBits has bits for
     RenderOptions options{};
+
+    /// Whether the rasteriser culls back faces. Exact outlines cull them per triangle (cull.comp).
+    [[nodiscard]] bool cullsBackFaces() const { return drawing == Drawing::Fast || !exactOutlines; }
 };
 
 /// One draw call of a batch: a program variant and its draw commands.

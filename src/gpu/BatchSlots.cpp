@@ -6,7 +6,7 @@ namespace limen::gpu {
 
 bool hasSlots(const frame::Batch& batch, const RenderOptions& options) {
     return !drawsOpenings(batch.program) && batch.program != frame::Program::SkyPlain &&
-           isDrawn(batch.program, options);
+           batch.program != frame::Program::Clearing && isDrawn(batch.program, options);
 }
 
 void assignSlots(const frame::FramePlan& plan, const RenderOptions& options, std::vector<BatchSlots>& slots) {

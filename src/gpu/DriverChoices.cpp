@@ -80,6 +80,13 @@ DriverChoice overlapOf(const DriverChoices& choices) {
                                : "a card begins by itself"};
 }
 
+DriverChoice openingsOf(const DriverChoices& choices) {
+    return {"openings", choices.rootFirst ? "cleared" : "tested",
+            choices.rootFirst  ? "from outside, most fragments then take no ownership test"
+            : choices.software ? "drawn exact"
+                               : "a card tests fragments at little cost"};
+}
+
 DriverChoice occlusionOf(const DriverChoices& choices) {
     return {"hidden_instances", choices.occludes ? "left out" : "drawn",
             choices.occludes   ? "from outside, land and buildings hide many, and the processor tells which"
@@ -116,6 +123,7 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
     choices.samples = std::max(samples, 1u);
     choices.computes = !isFast;
     choices.overlaps = isFast && capabilities.software;
+    choices.rootFirst = isFast && capabilities.software && options.rootFirst;
     choices.occludes = isFast && capabilities.software;
     choices.details = !isFast || !capabilities.software;
     if (!isFast && options.exactOutlines && choices.samples == 1)
@@ -126,8 +134,8 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
 std::vector<DriverChoice> describe(const DriverChoices& choices) {
     return {rasteriserOf(choices), drawingOf(choices), texturesOf(choices),   pagesOf(choices),
             terrainOf(choices),    levelsOf(choices),  anisotropyOf(choices), samplesOf(choices),
-            commandsOf(choices),   overlapOf(choices), occlusionOf(choices),  cullingOf(choices),
-            detailsOf(choices)};
+            commandsOf(choices),   overlapOf(choices), openingsOf(choices),   occlusionOf(choices),
+            cullingOf(choices),    detailsOf(choices)};
 }
 
 } // namespace limen::gpu

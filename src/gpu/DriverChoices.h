@@ -22,6 +22,7 @@ struct DriverChoices {
     bool computes = false;           ///< a compute pass writes the draw commands; else the processor does
     Culling culling = Culling::None; ///< triangles that compute passes skip
     bool overlaps = false;           ///< rasterises walls and ground while it transforms the rest
+    bool rootFirst = false;          ///< plans from outside have FrameView::rootFirst
     bool occludes = false;           ///< plans leave out instances that land and buildings hide
     bool details = true;             ///< detail pictures in the look Retail; Enhanced always has them
 };

@@ -32,7 +32,8 @@ std::size_t partnerOf(const frame::FramePlan& plan, const frame::Stage& stage, s
     if (of.program != frame::Program::Opaque || plan.gate != frame::Gate::Ownership)
         return kAlone;
     for (std::size_t i = stage.firstBatch; i < stage.firstBatch + stage.batchCount; ++i)
-        if (i != batch && plan.batches[i].program == of.program && plan.batches[i].gated == of.gated)
+        if (i != batch && plan.batches[i].program == of.program && plan.batches[i].gated == of.gated &&
+            plan.batches[i].turn == of.turn)
             return i;
     return kAlone;
 }
@@ -41,6 +42,19 @@ std::size_t partnerOf(const frame::FramePlan& plan, const frame::Stage& stage, s
 bool hasAnyOrder(const frame::FramePlan& plan, const frame::Batch& batch) {
     return plan.gate == frame::Gate::Ownership &&
            (batch.program == frame::Program::Opaque || batch.program == frame::Program::CutOut);
+}
+
+/// Whether a batch of `share` draws something of `turn`.
+bool takes(frame::Turn share, frame::Turn turn) {
+    return share == turn || share == frame::Turn::Both || turn == frame::Turn::Both;
+}
+
+/// The first run of cut-outs that are drawn before openings are cleared.
+std::uint32_t firstCutOutOf(const frame::FramePlan& plan) {
+    for (const frame::Batch& batch : plan.batches)
+        if (batch.program == frame::Program::CutOut && batch.turn == frame::Turn::Before)
+            return batch.first;
+    return 0;
 }
 
 } // namespace
@@ -52,6 +66,7 @@ void FastDraws::prepare(const frame::FramePlan& plan, const RenderOptions& optio
     slots_.assign(plan.batches.size(), {}); // a batch without a stage is not drawn
     draws_.clear();
     commands_.clear();
+    firstCutOut_ = firstCutOutOf(plan);
     const frame::DrawRecords makes(tables, plan, own_);
     for (const frame::Stage& stage : plan.stages) {
         for (std::size_t i = stage.firstBatch; i < stage.firstBatch + stage.batchCount; ++i) {
@@ -82,7 +97,8 @@ void FastDraws::addRuns(const frame::FramePlan& plan, const frame::Batch& batch,
     const bool isWhole = batch.program == frame::Program::Blended;    // back to front
     std::uint32_t last = 0xFFFFFFFFu; // pieces of one instance often follow each other
     bool isHere = false, hasLamps = false;
-    for (const frame::PieceRun& run : std::span(plan.runs).subspan(batch.first, batch.count)) {
+    for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
+        const frame::PieceRun& run = plan.runs[i];
         for (std::uint32_t number = run.firstPiece; number < run.firstPiece + run.pieceCount; ++number) {
             const layout::DrawPiece& piece = makes.piece(number);
             if (isOfSky(piece)) {
@@ -96,8 +112,12 @@ void FastDraws::addRuns(const frame::FramePlan& plan, const frame::Batch& batch,
             }
             if (!isHere)
                 continue;
-            const bool inSecond = batch.gated && (isWhole || run.gated || (hasLamps && fromOutside));
-            (inSecond ? second_ : part_).push_back({meshOf(piece), number, run.gated});
+            const bool isLit = hasLamps && fromOutside;
+            if (!takes(batch.turn, isLit && i >= firstCutOut_ ? frame::Turn::After : run.turn))
+                continue;
+            const bool inSecond =
+                batch.gated && (isWhole || run.gated || isLit || batch.turn == frame::Turn::After);
+            (inSecond ? second_ : part_).push_back({meshOf(piece), number, run.gated && batch.gated});
             bool& lamps = inSecond ? slots.lampsInSecond : slots.lampsInFirst;
             lamps = lamps || hasLamps;
         }

@@ -13,6 +13,7 @@ namespace limen::gpu {
 /// which saves four calls; the exact way needs the walls first, to leave out what they hide.
 /// Draws of one mesh in a part are one command, with an instance for each; large meshes come first (decision 212). A command is
 /// a slot.
+/// With FrameView::rootFirst a batch has one part. Cut-outs that lamps light are drawn after the clearing, for the same reason.
 /// Reuse it: steady frames allocate nothing.
 class FastDraws {
 public:
@@ -43,6 +44,7 @@ private:
     void addRuns(const frame::FramePlan& plan, const frame::Batch& batch, const frame::DrawRecords& makes,
                  BatchSlots& slots);
 
+    std::uint32_t firstCutOut_ = 0; ///< FrameView::rootFirst: the first run of cut-outs
     std::vector<BatchSlots> slots_;
     std::vector<Draw> draws_;               ///< by record
     std::vector<std::uint32_t> commands_;   ///< by slot: its first draw

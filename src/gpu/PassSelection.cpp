@@ -29,6 +29,7 @@ Pass passOf(frame::Program program, const RenderOptions& options) {
     case frame::Program::CutOut:
     case frame::Program::Terrain:
     case frame::Program::SkyPlain:
+    case frame::Program::Clearing:
         break;
     }
     if (options.shading == Shading::IdsOnly)

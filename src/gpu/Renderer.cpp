@@ -23,17 +23,22 @@ namespace layout = frame::gpu;
 // Attempts at an upload when the driver is out of memory.
 constexpr int kUploadAttempts = 3;
 
+// FrameView::coverageDecides of a plan that this way of drawing can draw.
+bool coverageDecides(Drawing drawing, const frame::FramePlan& plan) {
+    return drawing == Drawing::Fast && plan.gate == frame::Gate::Ownership;
+}
+
 // Asserts the conditions without which the GPU would read out of bounds or loop.
 void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces, Drawing drawing) {
     LIMEN_ASSERT(plan.constants.visitCount > 0 && plan.visits.size() >= plan.constants.visitCount,
                  "a plan has at least the root visit");
-    const bool coverageDecides = drawing == Drawing::Fast && plan.gate == frame::Gate::Ownership;
+    const bool byCoverage = coverageDecides(drawing, plan);
     for (const layout::OwnershipVertex& vertex : plan.ownershipVertices) {
         LIMEN_ASSERT(vertex.visit < std::min(plan.visits.size(), std::size_t{layout::kOwnedOutside}),
                      "an opening's visit is in the plan");
-        LIMEN_ASSERT(!coverageDecides || vertex.outlineCount <= layout::kCoverWindow,
+        LIMEN_ASSERT(!byCoverage || vertex.outlineCount <= layout::kCoverWindow,
                      "no outline is drawn around the window: FrameView::coverageDecides");
-        LIMEN_ASSERT(coverageDecides || (vertex.outlineCount & layout::kOnScreen) == 0,
+        LIMEN_ASSERT(byCoverage || (vertex.outlineCount & layout::kOnScreen) == 0,
                      "only fast frames have regions on the screen");
     }
     LIMEN_ASSERT(!plan.blocks.empty(), "at least the eye's block is resident");
@@ -45,16 +50,18 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces, Drawi
     for (const frame::Batch& batch : plan.batches) {
         const std::size_t size =
             drawsOpenings(batch.program) ? plan.ownershipVertices.size() : plan.runs.size();
-        LIMEN_ASSERT(batch.program == frame::Program::SkyPlain ||
-                         std::uint64_t{batch.first} + batch.count <= size,
+        const bool isOfRects =
+            batch.program == frame::Program::SkyPlain || batch.program == frame::Program::Clearing;
+        LIMEN_ASSERT(isOfRects || std::uint64_t{batch.first} + batch.count <= size,
                      "a batch is within the runs");
+        LIMEN_ASSERT(batch.program != frame::Program::Clearing || drawing == Drawing::Fast,
+                     "FrameView::rootFirst is for the fast way");
         LIMEN_ASSERT(batch.program != frame::Program::SkyPlain || batch.count > 0 ||
                          batch.first + batch.draws <= plan.clipSets.size(),
                      "each triangle of the sky has a clip set");
-        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain ||
-                         std::uint64_t{batch.first} + batch.count <=
-                             std::max(plan.rects.size(), plan.clipSets.size()),
-                     "each rectangle of the sky is in the plan");
+        LIMEN_ASSERT(!isOfRects || std::uint64_t{batch.first} + batch.count <=
+                                       std::max(plan.rects.size(), plan.clipSets.size()),
+                     "each rectangle is in the plan");
     }
     for (const frame::PieceRun& run : plan.runs) {
         LIMEN_ASSERT(std::uint64_t{run.firstPiece} + run.pieceCount <= staticPieces + plan.pieces.size(),
@@ -71,6 +78,11 @@ bool hasRepeatedStages(const frame::FramePlan& plan) {
     return std::any_of(plan.stages.begin(), plan.stages.end(), [&](const frame::Stage& stage) {
         return std::exchange(seen[static_cast<std::size_t>(stage.kind)], true);
     });
+}
+
+bool hasClearing(const frame::FramePlan& plan) {
+    return std::any_of(plan.batches.begin(), plan.batches.end(),
+                       [](const frame::Batch& batch) { return batch.program == frame::Program::Clearing; });
 }
 
 class Stopwatch {
@@ -249,6 +261,7 @@ FrameKind Renderer::kindOf(const frame::FramePlan& plan, const RenderTarget& tar
             .grainedLand = tiling[layout::kDetailOfLand] > 0,
             .pixelLamps = (plan.constants.flags & layout::kFramePixelLamps) != 0,
             .clipped = plan.clips,
+            .facesOpenings = coverageDecides(options_.drawing, plan),
             .overlaps = choices().overlaps && plan.gate == frame::Gate::Ownership && !options.wantIds &&
                         !options.wantLayers,
             .plainSky = isFast() && showsCover(plan, options) ? plan.plainSky : frame::RectRun(),
@@ -321,11 +334,13 @@ void Renderer::clearTarget(const frame::FramePlan& plan, const FrameKind& frame)
     device_->clear(TargetImage::Ownership, rootOwner(plan.constants.rootZone));
     if (frame.overlaps)
         return;
-    if (options.shading != Shading::IdsOnly)
+    // With a clearing every pixel gets a surface, a void or the sky.
+    const bool isCovered = hasClearing(plan);
+    if (options.shading != Shading::IdsOnly && !isCovered)
         device_->clear(TargetImage::Colour, clearColour(plan, options));
     if (options.wantLayers)
         device_->clear(TargetImage::Layers, glm::vec4(0.0f));
-    if (options.wantIds)
+    if (options.wantIds && !isCovered)
         device_->clear(TargetImage::Id, std::uint32_t{layout::kVoidId});
     device_->clear(TargetImage::Depth, 0.0f);
 }
@@ -354,6 +369,10 @@ void Renderer::drawBatch(const frame::Batch& batch, const BatchSlots& slots, std
         case frame::Program::Stamp:
         case frame::Program::Fence:
             device_->drawVertices(batch.first, batch.count);
+            break;
+        case frame::Program::Clearing:
+            device_->readDrawn();
+            device_->drawVertices(layout::kSkyRectVertices + 6 * batch.first, 6 * batch.count);
             break;
         case frame::Program::SkyPlain:
             drawPlainSky(batch, drawsVoids(frame.drawing, batch.program, draw.variant), frame);
@@ -393,7 +412,7 @@ void Renderer::drawStages(const frame::FramePlan& plan, std::size_t commands, co
                 device_->clearPicture(clearColour(plan, frame.options));
                 isCleared = true;
             }
-            if (frame.overlaps && batch.program == frame::Program::CutOut)
+            if (frame.overlaps && batch.program == frame::Program::CutOut && batch.turn != frame::Turn::After)
                 device_->flush(); // most vertices come now
             drawBatch(batch, slots, commands, frame);
             ++report.batches;
@@ -427,6 +446,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
         return reserved;
     // In every frame, because another renderer may have drawn since.
     device_->setGeometry(scene_->vertices(), indicesFor(options));
+    device_->setCulling(kind.cullsBackFaces());
     const std::span<std::byte> memory = device_->beginFrame(target.handle(), target.viewport());
     writeRing(plan, ring, options, target, memory);
     bindAll(ring, isFast() && !kind.multisampled);

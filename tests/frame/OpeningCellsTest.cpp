@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <set>
 #include <tuple>
 
 namespace limen::test {
@@ -58,6 +59,15 @@ TEST(OpeningCells, areNoneWithoutAnOpening_andAllUnderOneOverTheWholeWindow) {
     Openings around;
     around.addBox(-1.0, -1.0, 1.0, 1.0);
     EXPECT_EQ(around.rects(), Rects{frame::gpu::vec4(-1, -1, 1, 1)});
+}
+
+TEST(OpeningCells, haveAShareOfThePicture) {
+    Openings openings;
+    openings.addBox(0.1, 0.3, 0.2, 0.4);
+    openings.addBox(-0.8, -0.9, -0.6, -0.7);
+    const frame::RectRun rects = rectsOfOpenings(openings.frame, openings.set, openings.plan);
+    EXPECT_DOUBLE_EQ(shareOf(rects, openings.plan), (4.0 + 9.0) / 256.0);
+    EXPECT_EQ(shareOf({}, openings.plan), 0.0);
 }
 
 RC_GTEST_PROP(OpeningCells, coverEachOpeningOnce_andNoPixelTwice, ()) {
@@ -114,6 +124,67 @@ TEST_F(PlannedSky, hasVoidsNearOpenings_forAFastFrameFromOutside) {
     EXPECT_EQ(plain({92, 104, 1.5}, 0, world::kOutside, true), std::tuple(false, false, 1u)) << "one visit";
     EXPECT_EQ(plain({92, 96, 1.5}, 0, second, true), std::tuple(true, false, 1u)) << "through the exit";
     EXPECT_EQ(plain({92, 96, 1.5}, 180, second, true), std::tuple(true, false, 0u)) << "voids alone";
+}
+
+struct RootFirstPlan : ::testing::Test {
+    Rooms rooms;
+    PlannedWorld planned{rooms.world};
+
+    /// The turns of a program's batches, in order; Clearing has none.
+    [[nodiscard]] std::vector<std::pair<Program, frame::Turn>> solid() const {
+        std::vector<std::pair<Program, frame::Turn>> out;
+        const frame::Stage& stage = planned.plan.stages[static_cast<std::size_t>(frame::StageKind::Solid)];
+        for (std::uint32_t i = stage.firstBatch; i < stage.firstBatch + stage.batchCount; ++i)
+            out.emplace_back(planned.plan.batches[i].program, planned.plan.batches[i].turn);
+        return out;
+    }
+    bool isRootFirst(const Vec3& eye, double yaw, world::SpaceIndex root) {
+        planned.rootFirst = true;
+        const auto& plan = planned.planFrom(eye, yaw, root);
+        return (plan.constants.flags & frame::gpu::kFrameRootFirst) != 0;
+    }
+};
+
+TEST_F(RootFirstPlan, drawsTheRootBeforeTheClearingAndTheRestAfterIt) {
+    using frame::Turn;
+    ASSERT_TRUE(isRootFirst({92, 112, 1.5}, 180, world::kOutside));
+    EXPECT_EQ(solid(), (std::vector<std::pair<Program, Turn>>{{Program::Opaque, Turn::Before},
+                                                              {Program::Terrain, Turn::Before},
+                                                              {Program::Opaque, Turn::Before},
+                                                              {Program::CutOut, Turn::Before},
+                                                              {Program::Clearing, Turn::Both},
+                                                              {Program::CutOut, Turn::After},
+                                                              {Program::Terrain, Turn::After}}));
+    const frame::FramePlan& plan = planned.plan;
+    std::set<std::uint32_t> before, after;
+    for (const frame::Batch& batch : plan.batches) {
+        EXPECT_EQ(batch.gated && batch.turn == Turn::Before, false);
+        for (std::uint32_t r = batch.first; batch.turn != Turn::Both && r < batch.first + batch.count; ++r)
+            for (const frame::gpu::DrawPiece& piece : planned.piecesOf(plan.runs[r])) {
+                const Turn turn = plan.runs[r].turn;
+                if (batch.turn == Turn::Before && turn != Turn::After)
+                    before.insert(piece.instance);
+                if (batch.turn == Turn::After && turn != Turn::Before)
+                    after.insert(piece.instance);
+            }
+    }
+    std::set<std::uint32_t> all = before;
+    all.insert(after.begin(), after.end());
+    EXPECT_EQ(all.size(), plan.counts.instancesDrawn) << "each has a turn";
+    const world::SpaceIndex second = world::findCell(planned.world, rooms.world.id(rooms.second));
+    EXPECT_TRUE(after.contains(planned.world.spaces[second].shell)) << "behind the exit";
+    EXPECT_FALSE(before.contains(planned.world.spaces[second].shell));
+    for (const std::uint32_t instance : before)
+        EXPECT_NE(planned.world.instances[instance].kind, world::InstanceKind::Shell);
+    EXPECT_FALSE(before.empty());
+}
+
+TEST_F(RootFirstPlan, isForAnEyeOutsideThatSeesSmallOpenings) {
+    const world::SpaceIndex second = world::findCell(planned.world, rooms.world.id(rooms.second));
+    EXPECT_TRUE(isRootFirst({92, 112, 1.5}, 180, world::kOutside));
+    EXPECT_FALSE(isRootFirst({92, 99, 1.5}, 180, world::kOutside)) << "the exit fills much of the picture";
+    EXPECT_FALSE(isRootFirst({92, 112, 1.5}, 0, world::kOutside)) << "one visit";
+    EXPECT_FALSE(isRootFirst({92, 96, 1.5}, 0, second)) << "within a cell";
 }
 
 TEST_F(PlannedSky, objectsTakeATestInExactFramesAlone) {

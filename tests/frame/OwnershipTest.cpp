@@ -103,6 +103,29 @@ TEST_F(OwnershipTest, drawsAnOpeningNearTheEyeAsItsRegionIfCoverageDecides) {
     }
 }
 
+TEST_F(OwnershipTest, trianglesAreCounterClockwiseIfCoverageDecides) {
+    planned.coverageDecides = true;
+    std::size_t triangles = 0, turned = 0;
+    for (const double aside : {-1.3, 0.0, 1.3}) {
+        for (const double yaw : {-60.0, 0.0, 40.0}) { // some corners are behind the eye
+            const auto& plan = planned.planFrom({92 + aside, 93.9, 1.5}, yaw, first);
+            const Mat3 screen = planned.view.view.screenFromEye();
+            const auto at = [&](std::size_t i) {
+                const auto& vertex = plan.ownershipVertices[i];
+                const Vec3 position(vertex.position);
+                return (vertex.outlineCount & frame::gpu::kOnScreen) != 0
+                           ? position
+                           : screen * (position + Vec3(vertex.rest) +
+                                       planned.world.blocks[vertex.block].origin() - planned.view.view.eye);
+            };
+            for (std::size_t i = 0; i + 2 < plan.ownershipVertices.size(); i += 3, ++triangles)
+                turned += glm::dot(at(i), glm::cross(at(i + 1), at(i + 2))) < 0.0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(triangles, 20u);
+    EXPECT_EQ(turned, 0u) << "of " << triangles;
+}
+
 TEST_F(OwnershipTest, testsOnlyEdgesThatCutTheOpeningIfCoverageDecides) {
     std::size_t all = 0, used = 0;
     for (const double aside : {0.0, 0.3, 0.8, 1.3}) {

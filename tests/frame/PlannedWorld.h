@@ -41,6 +41,7 @@ struct PlannedWorld {
         view = frame::makeView(origin + local, yaw, 0.0, 75.0, 320, 200, root);
         view.gate = gate;
         view.coverageDecides = coverageDecides;
+        view.rootFirst = view.fillsVoids = rootFirst;
         view.occlusion = occlusion;
         view.levels = levels;
         const visibility::Graph& flooded = gate == frame::Gate::Ownership ? graph : spaceGraph;
@@ -75,6 +76,7 @@ struct PlannedWorld {
     visibility::VisibleSet visible;
     frame::Gate gate = frame::Gate::Ownership;          ///< of the next plans
     bool coverageDecides = false;                       ///< as FrameView::coverageDecides, of the next plans
+    bool rootFirst = false;                             ///< as FrameView::rootFirst and fillsVoids
     world::LevelShare levels;                           ///< of the next plans
     frame::Occlusion occlusion = frame::Occlusion::Off; ///< of the next plans
     frame::FrameView view;

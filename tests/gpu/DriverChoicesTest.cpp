@@ -79,6 +79,15 @@ TEST(DriverChoices, hiddenInstancesAreLeftOutWithoutACard) {
     EXPECT_FALSE(driverChoices({}, software()).occludes) << "exact frames prove what is hidden";
 }
 
+TEST(DriverChoices, openingsAreClearedWithoutACard) {
+    EXPECT_TRUE(driverChoices(fast(), software()).rootFirst);
+    EXPECT_FALSE(driverChoices(fast(), card()).rootFirst);
+    EXPECT_FALSE(driverChoices({}, software()).rootFirst) << "exact frames test every fragment";
+    RendererOptions compared = fast();
+    compared.rootFirst = false;
+    EXPECT_FALSE(driverChoices(compared, software()).rootFirst);
+}
+
 TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
     std::set<std::string> names;
     for (const DriverChoice& choice : describe(driverChoices(fast(), software()))) {
@@ -87,9 +96,9 @@ TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
         EXPECT_FALSE(std::string(choice.reason).empty());
     }
     const std::set<std::string> expected{
-        "rasteriser",       "drawing",         "textures",        "pages_by_index", "packed_landcells",
-        "mip_levels",       "anisotropy",      "multisampling",   "draw_commands",  "early_start",
-        "triangle_culling", "detail_pictures", "hidden_instances"};
+        "rasteriser",       "drawing",         "textures",         "pages_by_index", "packed_landcells",
+        "mip_levels",       "anisotropy",      "multisampling",    "draw_commands",  "early_start",
+        "triangle_culling", "detail_pictures", "hidden_instances", "openings"};
     EXPECT_EQ(names, expected);
 }
 

@@ -76,6 +76,88 @@ TEST_F(FastGlTest, showsTheSameSurfaces_depthAndOwners) {
             EXPECT_NEAR(both.fast.depth[i], both.exact.depth[i], 1e-5f * both.exact.depth[i]) << i;
 }
 
+/// An opening of a root whose surfaces are in front of it, behind it, through it and in its plane, and a room behind it.
+SceneBuilder doorway(bool isShut) {
+    using frame::Turn;
+    SceneBuilder scene;
+    const std::uint32_t cut =
+        scene.addMaterial({1, 1, 1, 1}, scene.addTexture(2, 1, {9, 9, 9, 255, 9, 9, 9, 0}, false));
+    const auto ofRoot = [](bool gated = true, Turn turn = Turn::Before) {
+        return QuadOptions{.members = {{1, 0}}, .gated = gated, .turn = turn};
+    };
+    scene.root(1);
+    scene.visitThrough({-1, -1}, {1, 1}, 2, 2, 0);
+    scene.plan.visits[1].shutBy = isShut ? 'F' : 0;
+    scene.addWallWithOpening('A', 4, 1, 2, ofRoot(false));
+    scene.addWall('f', {-0.9f, -0.9f}, {-0.5f, 0.5f}, 1.8f, ofRoot());
+    scene.addQuad('t', {{{-0.4f, 1, -0.5f}, {0.4f, 4, -0.5f}, {0.4f, 4, 0.1f}, {-0.4f, 1, 0.1f}}},
+                  ofRoot()); // through it
+    scene.addWall('b', {-4, -4}, {0, 4}, 2.5f, ofRoot());
+    scene.addWall('p', {0.2f, 0.2f}, {0.6f, 0.9f}, 2, ofRoot()); // in its plane
+    scene.addWall('m', {-0.2f, 0.2f}, {0.1f, 2}, 1.5f,
+                  {.members = {{1, 0}},
+                   .material = cut,
+                   .program = frame::Program::CutOut,
+                   .gated = true,
+                   .turn = Turn::Before});
+    if (isShut)
+        scene.addWall('F', {-1, -1}, {1, 1}, 2, ofRoot(true, Turn::After));
+    scene.addWall('R', {-3, -3}, {3, 3}, 3, {.members = {{2, 0}}, .turn = Turn::After});
+    scene.addWall('s', {-9, -9}, {9, -0.6f}, 2.8f,
+                  {.members = {{1, 0}, {2, 0}}, .gated = true, .turn = Turn::Both});
+    scene.addWall('c', {0, -0.5f}, {1, 0.5f}, 2.2f,
+                  {.members = {{2, 0}}, .material = cut, .program = frame::Program::CutOut, .gated = true});
+    return scene;
+}
+
+// Decision 216.
+TEST_F(FastGlTest, showsTheSameSurfaces_rootFirst) {
+    for (const bool isShut : {false, true}) {
+        SceneBuilder scene = doorway(isShut);
+        const Both tested = drawBoth(scene, 64);
+        EXPECT_EQ(tested.fast.picture(), tested.exact.picture());
+        const frame::FramePlan& plan = scene.finishRootFirst();
+        Renderer renderer(*device_, fast());
+        ASSERT_TRUE(renderer.upload(scene.upload));
+        const Frame cleared = renderWith(renderer, plan, 64, 64);
+        EXPECT_EQ(cleared.picture(), tested.fast.picture()) << isShut;
+        const Frame colours = renderWith(renderer, plan, 64, 64, {.wantIds = false});
+        EXPECT_EQ(colours.colour, cleared.colour);
+        const std::set<std::uint32_t> shown(cleared.ids.begin(), cleared.ids.end());
+        EXPECT_EQ(shown.count('F'), isShut ? 1u : 0u);
+        EXPECT_EQ(shown.count('p'), isShut ? 0u : 1u)
+            << "what is in the plane of a shut opening is behind its filling";
+        EXPECT_EQ(shown.count('R'), isShut ? 0u : 1u);
+        for (const char front : {'A', 'f', 't', 'm'})
+            EXPECT_EQ(shown.count(static_cast<std::uint32_t>(front)), 1u) << front;
+    }
+}
+
+TEST_F(FastGlTest, rootFirstStaysWithinTheBudgetOfCalls_andNullDeviceCountsThemAlike) {
+    SceneBuilder scene = doorway(false);
+    scene.upload.terrainCells.resize(1);
+    scene.upload.terrainCells[0].base = {layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+    scene.plan.constants.voidColour = StateTracker::kFirstClearColour;
+    const frame::FramePlan& plan = scene.finishRootFirst();
+    NullDevice null(device_->capabilities());
+    Renderer real(*device_, fast()), recorded(null, fast());
+    ASSERT_TRUE(real.upload(scene.upload));
+    ASSERT_TRUE(recorded.upload(scene.upload));
+    Result<RenderTarget> target = RenderTarget::create(*device_, 8, 8),
+                         nullTarget = RenderTarget::create(null, 8, 8);
+    for (const bool wantIds : {false, true}) {
+        std::set<std::uint32_t> counts;
+        for (int i = 0; i < 4; ++i) {
+            ASSERT_TRUE(real.render(plan, *target, {.wantIds = wantIds}));
+            ASSERT_TRUE(recorded.render(plan, *nullTarget, {.wantIds = wantIds}));
+            EXPECT_EQ(real.report().glCalls, recorded.report().glCalls);
+            EXPECT_LE(real.report().glCalls, kMostFastCalls);
+            counts.insert(real.report().glCalls);
+        }
+        EXPECT_EQ(counts.size(), 1u) << "first and later frames";
+    }
+}
+
 /// Openings side by side that fill the picture, each into a zone of its own, with a picture of that zone, and one that
 /// belongs to it and to the zone after it.
 SceneBuilder row(std::uint32_t openings) {

@@ -85,6 +85,7 @@ std::uint32_t SceneBuilder::addQuads(std::uint32_t id, std::span<const std::arra
     const auto triangles = static_cast<std::uint32_t>(2 * quads.size());
     upload.pieces.push_back({firstIndex, triangles, index, firstIndex});
     drawAgain(index, options.program, options.gated);
+    draws_[options.program].back().turn = options.turn;
     return index;
 }
 
@@ -119,7 +120,7 @@ layout::SkyInstance& SceneBuilder::addSky(glm::vec2 min, glm::vec2 max, float y,
 }
 
 void SceneBuilder::drawAgain(std::uint32_t instance, frame::Program program, bool gated) {
-    draws_[program].emplace_back(instance, gated);
+    draws_[program].push_back({instance, gated, frame::Turn::After});
 }
 
 void SceneBuilder::root(std::uint32_t zone) {
@@ -169,18 +170,18 @@ void SceneBuilder::addBatch(frame::Program program, bool evenEmpty) {
     if (draws.empty() && !evenEmpty)
         return;
     bool gated = plan.visits.size() > 1;
-    for (const auto& [number, isGated] : draws)
-        gated = gated || isGated;
+    for (const Drawn& drawn : draws)
+        gated = gated || drawn.gated;
     frame::Batch batch{program, gated, static_cast<std::uint32_t>(plan.runs.size()), 0,
                        static_cast<std::uint32_t>(draws.size())};
-    for (const auto& [number, isGated] : draws) {
+    for (const auto& [number, isGated, turn] : draws) {
         const layout::DrawPiece& piece = upload.pieces[number];
         if (batch.count > 0 && plan.runs.back().firstPiece + plan.runs.back().pieceCount == number &&
-            plan.runs.back().gated == isGated) {
+            plan.runs.back().gated == isGated && plan.runs.back().turn == turn) {
             ++plan.runs.back().pieceCount;
             plan.runs.back().indexCount += 3 * piece.triangles;
         } else {
-            plan.runs.push_back({number, 1, piece.indicesBefore, 3 * piece.triangles, isGated});
+            plan.runs.push_back({number, 1, piece.indicesBefore, 3 * piece.triangles, isGated, {}, turn});
             ++batch.count;
         }
     }
@@ -236,6 +237,31 @@ const frame::FramePlan& SceneBuilder::finish(bool allBatches) {
     addBatch(Program::Blended, allBatches);
     stage(frame::StageKind::Transparent, first);
     stage(frame::StageKind::Overlay, plan.batches.size());
+    return plan;
+}
+
+const frame::FramePlan& SceneBuilder::finishRootFirst() {
+    finish(true);
+    frame::Stage& solid = plan.stages[static_cast<std::size_t>(frame::StageKind::Solid)];
+    const auto first = plan.batches.begin() + solid.firstBatch; // ground, opaque, cut-outs
+    frame::Batch ground = first[0], meshes = first[2];
+    for (frame::Batch& batch : std::span(&*first, 3)) {
+        batch.gated = false;
+        batch.turn = frame::Turn::Before;
+    }
+    meshes.first = first[1].first;
+    meshes.count += first[1].count;
+    meshes.draws += first[1].draws;
+    ground.gated = meshes.gated = true;
+    ground.turn = meshes.turn = frame::Turn::After;
+    const frame::Batch clearing{frame::Program::Clearing, false,
+                                static_cast<std::uint32_t>(plan.rects.size()), 1, 1};
+    plan.rects.emplace_back(-1, -1, 1, 1);
+    plan.batches.insert(first + 3, {clearing, meshes, ground});
+    solid.batchCount += 3;
+    for (std::size_t i = static_cast<std::size_t>(frame::StageKind::Solid) + 1; i < plan.stages.size(); ++i)
+        plan.stages[i].firstBatch += 3;
+    plan.constants.flags |= layout::kFrameRootFirst;
     return plan;
 }
 

@@ -22,6 +22,7 @@ struct QuadOptions {
     std::uint32_t material = 0;
     frame::Program program = frame::Program::Opaque;
     bool gated = false;
+    frame::Turn turn = frame::Turn::After; ///< of plans by finishRootFirst
     std::uint32_t block = 0;
     std::uint32_t highlight = 0;
     std::array<glm::vec4, 3> rows{glm::vec4{1, 0, 0, 0}, glm::vec4{0, 1, 0, 0}, glm::vec4{0, 0, 1, 0}};
@@ -68,6 +69,8 @@ public:
 
     /// Fills in batches and stages and yields the plan. `allBatches`: one of every program, even if empty.
     const frame::FramePlan& finish(bool allBatches = false);
+    /// The same with FrameView::rootFirst, from all batches.
+    const frame::FramePlan& finishRootFirst();
 
     frame::SceneUpload upload;
     frame::FramePlan plan;
@@ -76,8 +79,12 @@ private:
     std::deque<std::vector<std::uint8_t>> pixels_; // pixels that the texture uploads refer to
     void addBatch(frame::Program program, bool evenEmpty);
     void addSkyBatch(bool evenEmpty);
-    std::map<frame::Program, std::vector<std::pair<std::uint32_t, bool>>>
-        draws_; // pieces, one per instance; and whether they are gated
+    struct Drawn {
+        std::uint32_t piece = 0; // one per instance
+        bool gated = false;
+        frame::Turn turn = frame::Turn::After;
+    };
+    std::map<frame::Program, std::vector<Drawn>> draws_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> sky_; // pieces and their sky objects
 };
 

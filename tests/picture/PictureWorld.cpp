@@ -72,8 +72,10 @@ struct PictureWorld::Planning {
 
 struct PictureWorld::Drawing {
     explicit Drawing(const PictureOptions& options) {
-        pipeline.emplace(device, gpu::RendererOptions{.exactOutlines = options.exactOutlines,
+        pipeline.emplace(device, gpu::RendererOptions{.drawing = options.drawing,
+                                                      .exactOutlines = options.exactOutlines,
                                                       .culling = options.culling,
+                                                      .rootFirst = options.rootFirst,
                                                       .shaderDefines = options.shaderDefines});
     }
     ~Drawing() {
@@ -119,6 +121,10 @@ void PictureWorld::load(const std::filesystem::path& directory, dat::BlockCoord 
 
 std::string PictureWorld::driverVersion() const {
     return driver().device->capabilities().version;
+}
+
+bool PictureWorld::drawsOnProcessor() const {
+    return driver().device->capabilities().software;
 }
 
 world::SpaceIndex PictureWorld::space(dat::RecordId cellId) const {
@@ -198,8 +204,10 @@ Picture PictureWorld::shoot(const frame::FrameView& frame, const gpu::RenderOpti
     if (options.wantLayers)
         picture.layers = target->readLayers();
     picture.counts = state.plan.counts;
-    for (const frame::Batch& batch : state.plan.batches)
+    for (const frame::Batch& batch : state.plan.batches) {
         picture.draws += batch.draws;
+        picture.isCleared = picture.isCleared || batch.program == frame::Program::Clearing;
+    }
     picture.glCalls = drawing_->pipeline->renderer().report().glCalls;
     for (const frame::Stage& stage : state.plan.stages)
         picture.stages.push_back(stage.batchCount);

@@ -28,6 +28,7 @@ struct Picture {
     visibility::VisibleSet visible;
     frame::PlanCounts counts;
     std::uint32_t glCalls = 0, draws = 0;
+    bool isCleared = false;            ///< its plan was made with FrameView::rootFirst
     std::vector<std::uint32_t> stages; ///< numbers of batches, by stage
 
     [[nodiscard]] std::uint32_t id(std::uint32_t x, std::uint32_t y) const {
@@ -39,7 +40,9 @@ struct PictureOptions {
     bool mergeZones = true;
     int radius = 1;
     world::MovingEntries moving{};
-    std::vector<std::string> shaderDefines{};    ///< gpu::RendererOptions
+    std::vector<std::string> shaderDefines{}; ///< gpu::RendererOptions
+    gpu::Drawing drawing = gpu::Drawing::Exact;
+    bool rootFirst = true;                       ///< gpu::RendererOptions
     bool exactOutlines = true;                   ///< gpu::RendererOptions
     gpu::Culling culling = gpu::Culling::Hidden; ///< gpu::RendererOptions
     Omissions omissions{};                       ///< of the drawn world; the traced one stays whole
@@ -80,6 +83,7 @@ public:
                                           std::size_t mostSecondLooks = check::kMostSecondLooks);
     /// The driver's own text for its version, e.g. "4.5 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string driverVersion() const;
+    [[nodiscard]] bool drawsOnProcessor() const; ///< gpu::Capabilities::software
     /// Draws and judges, layers too where they are counted; a finding or a void pixel fails the test.
     Picture expectClean(const frame::FrameView& frame, const gpu::RenderOptions& options = {});
 

@@ -18,6 +18,11 @@ StateTracker::Changes StateTracker::apply(const DrawState& next) {
     return changes;
 }
 
+bool StateTracker::setCulling(bool backFaces) {
+    cullsBetween_ = backFaces;
+    return std::exchange(current_.cullBackFaces, backFaces) != backFaces;
+}
+
 bool StateTracker::enableDepthWrite() {
     return !std::exchange(current_.writeDepth, true);
 }
@@ -31,7 +36,7 @@ bool StateTracker::setClearColour(const glm::vec4& colour) {
 }
 
 StateTracker::Changes StateTracker::reset() {
-    return apply({.program = current_.program});
+    return apply({.program = current_.program, .cullBackFaces = cullsBetween_});
 }
 
 DrawState StateTracker::with(ProgramHandle program) const {

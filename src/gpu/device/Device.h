@@ -186,6 +186,8 @@ public:
     virtual void finishFrames() = 0;
     /// Sets the vertex and index arena of indexed draws. No cost if unchanged.
     virtual void setGeometry(BufferHandle vertices, BufferHandle indices) = 0;
+    /// Whether a frame's draws cull back faces unless they say otherwise: a frame begins and ends in that state. No cost if unchanged.
+    virtual void setCulling(bool backFaces) = 0;
     /// Reserves ring memory of `bytes` per frame. Waits for frames in flight if it must grow.
     [[nodiscard]] virtual Result<void> reserveRing(std::size_t bytes) = 0;
 
@@ -204,7 +206,7 @@ public:
     /// The base instance of a draw command whose vertices read the frame::gpu::DrawRecord at `offset` of this
     /// frame's ring memory, a multiple of the record's size. Those of the next records follow.
     [[nodiscard]] virtual std::uint32_t baseInstanceAt(std::size_t offset) const = 0;
-    /// Later draws of the frame may read the target's bound images, but no pixel that they write themselves.
+    /// Later draws of the frame may read the target's bound images: the pixel that they write, once, or others that they do not write.
     virtual void readDrawn() = 0;
     /// Runs a compute program in a grid of work groups. It may read all images drawn so far. Later draws see
     /// its output as commands and indices, later programs as storage.
@@ -252,12 +254,15 @@ public:
         }
     };
     [[nodiscard]] Changes apply(const DrawState& next);
+    /// The state in which frames begin and end; records it. True if it must be set.
+    [[nodiscard]] bool setCulling(bool backFaces);
     /// True if depth writes must be enabled; records them as enabled.
     [[nodiscard]] bool enableDepthWrite();
     /// True if the colour of clearPicture must be set; records it as set.
     [[nodiscard]] bool setClearColour(const glm::vec4& colour);
     /// The changes to the state in which every frame begins and ends, with the current program; records them.
     [[nodiscard]] Changes reset();
+    [[nodiscard]] const DrawState& current() const { return current_; }
     /// The current state with another program, for a compute program.
     [[nodiscard]] DrawState with(ProgramHandle program) const;
     /// The current program is unknown: foreign code set another, or it was destroyed.
@@ -271,6 +276,7 @@ public:
 
 private:
     DrawState current_;
+    bool cullsBetween_ = false; ///< DrawState::cullBackFaces between frames
     Viewport viewport_;
     glm::vec4 clearColour_ = kFirstClearColour;
 };

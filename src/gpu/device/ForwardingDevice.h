@@ -63,6 +63,7 @@ public:
     void setGeometry(BufferHandle vertices, BufferHandle indices) override {
         device_.setGeometry(vertices, indices);
     }
+    void setCulling(bool backFaces) override { device_.setCulling(backFaces); }
     [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override { return device_.reserveRing(bytes); }
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override {
         return device_.beginFrame(target, viewport);

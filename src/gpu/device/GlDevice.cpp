@@ -246,6 +246,11 @@ void GlDevice::beginPass(Pass pass) {
          frameTarget_->passes[static_cast<std::size_t>(pass)].id());
 }
 
+void GlDevice::setCulling(bool backFaces) {
+    if (state_.setCulling(backFaces))
+        (backFaces ? glEnable : glDisable)(GL_CULL_FACE);
+}
+
 void GlDevice::setState(const DrawState& state) {
     make(state_.apply(state), state);
 }
@@ -283,7 +288,8 @@ void GlDevice::resolve() {
 Result<void> GlDevice::endFrame() {
     LIMEN_ASSERT(frameTarget_ != nullptr, "a frame was begun");
     // Restores the state that every frame starts with, so that all frames make the same calls.
-    make(state_.reset(), {});
+    const StateTracker::Changes changes = state_.reset();
+    make(changes, state_.current());
     fences_[ringSlot_] = call(glFenceSync, GLenum{GL_SYNC_GPU_COMMANDS_COMPLETE}, GLbitfield{0});
     frameTarget_ = nullptr;
     lastFrameCalls_ = frameCalls_;

@@ -46,6 +46,7 @@ public:
     void readTarget(TargetHandle target, TargetImage image, std::span<std::byte> out) override;
     void finishFrames() override;
     void setGeometry(BufferHandle vertices, BufferHandle indices) override;
+    void setCulling(bool backFaces) override;
     [[nodiscard]] Result<void> reserveRing(std::size_t bytes) override;
 
     [[nodiscard]] std::span<std::byte> beginFrame(TargetHandle target, const Viewport& viewport) override;

@@ -141,6 +141,10 @@ void NullDevice::readTarget(TargetHandle, TargetImage, std::span<std::byte> out)
 
 void NullDevice::setGeometry(BufferHandle, BufferHandle) {}
 
+void NullDevice::setCulling(bool backFaces) {
+    static_cast<void>(state_.setCulling(backFaces));
+}
+
 Result<void> NullDevice::reserveRing(std::size_t bytes) {
     if (bytes > ring_.size()) {
         ring_.resize(bytes + bytes / 2);

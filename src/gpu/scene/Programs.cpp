@@ -20,6 +20,7 @@ bool hasGatedVariant(Drawing drawing, frame::Program program) {
     case frame::Program::Ownership:
     case frame::Program::Stamp:
     case frame::Program::Fence:
+    case frame::Program::Clearing:
         return false;
     }
     return false;
@@ -79,6 +80,8 @@ Shaders shadersOf(Drawing drawing, frame::Program program) {
         return {"stamp", "ownership.vert", "opening.frag"};
     case frame::Program::Fence:
         return {"fence", "ownership.vert", "opening.frag"};
+    case frame::Program::Clearing:
+        return {"clearing", "skyplain.vert", "clearing.frag"};
     }
     return {"", "", ""};
 }
@@ -145,6 +148,8 @@ ProgramSource programSource(Drawing drawing, frame::Program program, ProgramVari
         vary("without shells", "NO_SHELLS");
     if (!fast && program == frame::Program::Terrain)
         source.defines.emplace_back("NO_SHELLS");
+    if (program == frame::Program::Clearing)
+        source.defines.emplace_back("CLEARING");
     if (program == frame::Program::Stamp)
         source.defines.emplace_back("AT_FAR");
     if (variant.multisampled)
