@@ -35,9 +35,13 @@ struct Occluders : ::testing::Test {
     std::set<std::size_t> tablesFrom(const Vec3& eye, double yaw, world::SpaceIndex root,
                                      Occlusion occlusion) {
         planned.occlusion = occlusion;
-        const frame::FramePlan& plan = planned.planFrom(eye, yaw, root);
+        static_cast<void>(planned.planFrom(eye, yaw, root));
+        return tables();
+    }
+    /// Of the last plan.
+    [[nodiscard]] std::set<std::size_t> tables() const {
         std::set<std::size_t> drawn;
-        for (const frame::Batch& batch : plan.batches)
+        for (const frame::Batch& batch : planned.plan.batches)
             if (batch.program == frame::Program::Opaque)
                 for (const frame::gpu::DrawPiece& piece : planned.piecesOf(batch)) {
                     const world::Instance& instance = planned.world.instances[piece.instance];
@@ -52,6 +56,14 @@ struct Occluders : ::testing::Test {
 };
 
 using Tables = std::set<std::size_t>;
+
+TEST_F(Occluders, serveNoPlanThatLeavesOutARule) {
+    const Vec3 eye(92, 70, 1.5);
+    ASSERT_FALSE(tablesFrom(eye, 0, world::kOutside, Occlusion::Always).contains(House::kBehindWall));
+    planned.view.rules.viewcone = false; // then an instance is tested against one visit alone
+    planned.planner.plan(planned.view, planned.visible, planned.plan);
+    EXPECT_TRUE(tables().contains(House::kBehindWall));
+}
 
 TEST_F(Occluders, leaveOutWhatWallsHide_unlessItShowsThroughTheHouse) {
     const Vec3 eye(92, 70, 1.5);

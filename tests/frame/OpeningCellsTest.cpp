@@ -72,6 +72,8 @@ TEST(OpeningCells, haveAShareOfThePicture) {
 
 RC_GTEST_PROP(OpeningCells, coverEachOpeningOnce_andNoPixelTwice, ()) {
     Openings openings;
+    openings.frame.width = 160;
+    openings.frame.height = 90;
     const auto ndc = [] { return static_cast<double>(*rc::gen::inRange(-1000, 1000)) / 1000.0; };
     const int count = *rc::gen::inRange(1, 12);
     for (int i = 0; i < count; ++i) {
@@ -84,8 +86,8 @@ RC_GTEST_PROP(OpeningCells, coverEachOpeningOnce_andNoPixelTwice, ()) {
     const Rects rects = openings.rects();
     for (std::uint32_t y = 0; y < openings.frame.height; ++y) {
         for (std::uint32_t x = 0; x < openings.frame.width; ++x) {
-            const float atX = (2.0f * static_cast<float>(x) + 1.0f) / 320.0f - 1.0f,
-                        atY = (2.0f * static_cast<float>(y) + 1.0f) / 180.0f - 1.0f;
+            const float atX = (2.0f * static_cast<float>(x) + 1.0f) / 160.0f - 1.0f,
+                        atY = (2.0f * static_cast<float>(y) + 1.0f) / 90.0f - 1.0f;
             const int here = countAt(rects, atX, atY);
             RC_ASSERT(here <= 1);
             for (std::size_t i = 1; i < openings.set.visits.size() && here == 0; ++i) {

@@ -133,6 +133,24 @@ TEST_F(FastGlTest, showsTheSameSurfaces_rootFirst) {
     }
 }
 
+TEST_F(FastGlTest, showsTheSameSamples_rootFirst) {
+    for (const bool isShut : {false, true}) {
+        SceneBuilder scene = doorway(isShut);
+        Renderer renderer(*device_, fast());
+        ASSERT_TRUE(renderer.upload(scene.upload));
+        Result<RenderTarget> target = RenderTarget::create(*device_, 64, 64, {.samples = layout::kSamples});
+        ASSERT_TRUE(target);
+        const auto draw = [&](const frame::FramePlan& plan) {
+            EXPECT_TRUE(renderer.render(plan, *target, {.wantIds = false, .shading = Shading::FlatIds}));
+            return target->readColour();
+        };
+        const std::vector<std::uint8_t> tested = draw(scene.finish());
+        EXPECT_EQ(draw(scene.finishRootFirst()), tested) << isShut;
+        const std::set<std::uint8_t> shades(tested.begin(), tested.end());
+        EXPECT_GT(shades.size(), 20u) << "means of several surfaces";
+    }
+}
+
 TEST_F(FastGlTest, rootFirstStaysWithinTheBudgetOfCalls_andNullDeviceCountsThemAlike) {
     SceneBuilder scene = doorway(false);
     scene.upload.terrainCells.resize(1);
