@@ -1,5 +1,6 @@
 // Clears the pixels whose ray leaves the root before the surface that was drawn there, so that other visits can be drawn
-// (FrameView::rootFirst). A pixel that the root fills with nothing is cleared, too. Out: a void's colour and id (IDS), FLAT: its colour by id; the depth of a pixel without a surface.
+// (FrameView::rootFirst). A pixel that the root fills with nothing is cleared, too. Out: a void's colour and id (IDS), FLAT: its
+// colour by id; the depth of a pixel without a surface.
 #include "gate.glsl"
 #include "place.glsl"
 #include "idcolour.glsl"

@@ -112,7 +112,7 @@ bool isBeforeNext(vec4 next, vec3 at, float tolerance) {
 #endif
 }
 
-// Whether a surface of the root is before the opening by which the pixel's ray leaves the root; false if it leaves none. Of a
+// Whether a surface of the root is before the opening by which the pixel's ray leaves the root; true if it leaves none. Of a
 // shut opening a surface in its plane is not: the filling is met first.
 bool isBeforeExit(vec3 at) {
     uint visitIndex = leafVisit();

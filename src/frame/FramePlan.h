@@ -27,12 +27,12 @@ enum class Program : std::uint8_t {
     Opaque,     ///< meshes, no discard except the gate's
     CutOut,     ///< meshes, alpha tested
     Terrain,    ///< landblocks
+    Clearing,   ///< rectangles: clears pixels whose ray leaves the root before the surface that was drawn
     SkyPlain,   ///< the plain sky and its id, and the voids around it
     SkyObjects, ///< sky meshes; baseInstance indexes skyInstances
     Blended,    ///< meshes of the transparent stage
     Stamp,      ///< depth of openings at the far plane, in front of everything; vertices as Ownership
-    Fence,      ///< depth of openings where they are; vertices as Ownership
-    Clearing    ///< rectangles: clears pixels whose ray leaves the root before the surface that was drawn
+    Fence       ///< depth of openings where they are; vertices as Ownership
 };
 inline constexpr std::size_t kProgramCount = 10;
 /// Programs that draw triangles of ownershipVertices.

@@ -191,6 +191,8 @@ Result<Programs> Programs::create(Device& device, Drawing drawing, const SceneBi
 Result<bool> Programs::buildNext(std::size_t& bytes) {
     for (; built_ < kBuiltVariants.size() * kBuiltPrograms; ++built_) {
         const auto program = static_cast<frame::Program>(built_ / kBuiltVariants.size());
+        if (program == frame::Program::Clearing && drawing_ == Drawing::Exact)
+            continue;
         ProgramVariant variant = kBuiltVariants[built_ % kBuiltVariants.size()];
         variant.details =
             program == frame::Program::Terrain ? textures_.grainedLand : textures_.grainedMeshes;
