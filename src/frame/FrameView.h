@@ -61,7 +61,7 @@ struct FrameView {
     /// The rasteriser's coverage decides the outlines of openings: no fragment tests edges. Openings near the eye are
     /// then drawn as the flood's regions.
     bool coverageDecides = false;
-    /// For an eye outside with several visits: what the root visit shows is drawn without the ownership test. Then pixels whose
+    /// For an eye outside with several visits: surfaces of the root visit are drawn without the ownership test. Then pixels whose
     /// ray leaves the root before that surface are cleared, and the other visits are drawn (decision 216). Requires fillsVoids.
     bool rootFirst = false;
     Occlusion occlusion = Occlusion::Off;

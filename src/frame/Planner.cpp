@@ -94,15 +94,14 @@ void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
     selection_.select(frame, dynamics, set);
     planDynamics(world_, frame, dynamics, selection_.dynamicInstances(), dynamicPieces_, plan);
     replaceHighlighted(scene_, frame.highlights, plan);
-    const RectRun openings = several && frame.fillsVoids && frame.view.root == world::kOutside
-                                 ? rectsOfOpenings(frame, set, plan)
-                                 : RectRun();
-    isRootFirst_ = frame.rootFirst && several && frame.view.root == world::kOutside &&
-                   shareOf(openings, plan) <= kMostOpen;
-    LIMEN_ASSERT(!isRootFirst_ || frame.fillsVoids, "FrameView::rootFirst requires it");
+    LIMEN_ASSERT(!frame.rootFirst || frame.fillsVoids, "FrameView::rootFirst requires it");
+    std::optional<RectRun> openings;
+    if (several && frame.fillsVoids && frame.view.root == world::kOutside)
+        openings = rectsOfOpenings(frame, set, plan);
+    isRootFirst_ = frame.rootFirst && openings && shareOf(*openings, plan) <= kMostOpen;
     beginStage(plan, StageKind::Solid);
     if (isRootFirst_)
-        planSolidRootFirst(openings, plan);
+        planSolidRootFirst(*openings, plan);
     else
         planSolid(several, plan);
     endStage(plan);
@@ -231,23 +230,23 @@ void Planner::planSolidRootFirst(const RectRun& openings, FramePlan& plan) {
     plan.firstOccludee = static_cast<std::uint32_t>(plan.batches.size()); // the device culls none
 }
 
-void Planner::planPlainSky(const FrameView& frame, const visibility::VisibleSet& set, const RectRun& openings,
+void Planner::planPlainSky(const visibility::VisibleSet& set, const std::optional<RectRun>& openings,
                            FramePlan& plan) {
     const bool several = set.visits.size() > 1;
     Batch batch{Program::SkyPlain, several, 0, 0, seesOutside(set) ? 1u : 0u};
-    if (several && frame.fillsVoids && frame.view.root == world::kOutside) {
-        batch.gated = openings.count > 0;
-        batch.first = openings.first;
-        batch.count = openings.count;
+    if (openings) {
+        batch.gated = openings->count > 0;
+        batch.first = openings->first;
+        batch.count = openings->count;
     }
     plan.batches.push_back(batch);
 }
 
-void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set, const RectRun& openings,
-                      FramePlan& plan) {
+void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
+                      const std::optional<RectRun>& openings, FramePlan& plan) {
     const bool seesSky = seesOutside(set), several = set.visits.size() > 1;
     if (seesSky || (frame.fillsVoids && several))
-        planPlainSky(frame, set, openings, plan);
+        planPlainSky(set, openings, plan);
     if (!seesSky)
         return;
     placeSky(world_, frame, sky_);

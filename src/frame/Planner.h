@@ -11,6 +11,7 @@
 #include "world/DynamicState.h"
 
 #include <memory>
+#include <optional>
 
 namespace limen::frame {
 
@@ -46,10 +47,11 @@ private:
     void addSolid(DrawClass drawn, bool several, FramePlan& plan);
     /// For FrameView::rootFirst. `openings`: rectangles that contain all pixels whose ray leaves the root.
     void planSolidRootFirst(const RectRun& openings, FramePlan& plan);
-    void planSky(const FrameView& frame, const visibility::VisibleSet& set, const RectRun& openings,
-                 FramePlan& plan);
-    static void planPlainSky(const FrameView& frame, const visibility::VisibleSet& set,
-                             const RectRun& openings, FramePlan& plan);
+    /// `openings`: of the root, for an eye outside in a frame that fills voids; else voids may be anywhere.
+    void planSky(const FrameView& frame, const visibility::VisibleSet& set,
+                 const std::optional<RectRun>& openings, FramePlan& plan);
+    static void planPlainSky(const visibility::VisibleSet& set, const std::optional<RectRun>& openings,
+                             FramePlan& plan);
     void planTransparent(const Vec3& eye, bool several, const world::DynamicState& dynamics, FramePlan& plan);
 
     const StaticScene& scene_;

@@ -37,8 +37,7 @@ BatchDraws drawsOf(const frame::Batch& batch, const BatchSlots& slots, const Fra
         out.draws[0].variant.gated = batch.gated;
     } else if (batch.gated &&
                (batch.program == frame::Program::Blended || batch.turn == frame::Turn::After)) {
-        out.draws[0].variant.lamps =
-            slots.lampsInSecond; // one part, of the transparent ones because of the order
+        out.draws[0].variant.lamps = slots.lampsInSecond; // the only part (BatchDraws.h)
         return out;
     } else if (batch.gated) {
         out.draws[0] = {variant, slots.first, slots.second - slots.first};

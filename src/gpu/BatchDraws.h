@@ -39,7 +39,7 @@ struct BatchDraw {
 
 /// The draw calls of a batch: one, or for Drawing::Fast two in a frame with several visits, of which only the
 /// second takes the ownership test; of the plain sky the first does, and draws voids alone. A transparent batch has one, so
-/// that its draws stay in order. Their number depends on the batch's program, `gated` and, of the plain sky, `draws` alone.
+/// that its draws stay in order; a batch with a frame::Turn has one, too. Their number depends on the batch's program, `gated`, `turn` and, of the plain sky, `draws` alone.
 struct BatchDraws {
     std::array<BatchDraw, 2> draws;
     std::size_t count = 0;

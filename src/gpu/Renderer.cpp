@@ -54,14 +54,17 @@ void assertSound(const frame::FramePlan& plan, std::uint32_t staticPieces, Drawi
             batch.program == frame::Program::SkyPlain || batch.program == frame::Program::Clearing;
         LIMEN_ASSERT(isOfRects || std::uint64_t{batch.first} + batch.count <= size,
                      "a batch is within the runs");
-        LIMEN_ASSERT(batch.program != frame::Program::Clearing || drawing == Drawing::Fast,
-                     "FrameView::rootFirst is for the fast way");
+        LIMEN_ASSERT(
+            batch.program != frame::Program::Clearing ||
+                (drawing == Drawing::Fast && std::uint64_t{batch.first} + batch.count <= plan.rects.size()),
+            "FrameView::rootFirst is for the fast way, and its rectangles are in the plan");
         LIMEN_ASSERT(batch.program != frame::Program::SkyPlain || batch.count > 0 ||
                          batch.first + batch.draws <= plan.clipSets.size(),
                      "each triangle of the sky has a clip set");
-        LIMEN_ASSERT(!isOfRects || std::uint64_t{batch.first} + batch.count <=
-                                       std::max(plan.rects.size(), plan.clipSets.size()),
-                     "each rectangle is in the plan");
+        LIMEN_ASSERT(batch.program != frame::Program::SkyPlain ||
+                         std::uint64_t{batch.first} + batch.count <=
+                             std::max(plan.rects.size(), plan.clipSets.size()),
+                     "each rectangle of the sky is in the plan");
     }
     for (const frame::PieceRun& run : plan.runs) {
         LIMEN_ASSERT(std::uint64_t{run.firstPiece} + run.pieceCount <= staticPieces + plan.pieces.size(),

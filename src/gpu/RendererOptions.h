@@ -32,7 +32,7 @@ struct RendererOptions {
     /// (shaders/include/outline.glsl). Without effect on Drawing::Fast.
     bool exactOutlines = true;
     Culling culling = Culling::Hidden; ///< without effect on Drawing::Fast
-    /// Without a card, an eye outside: what the root visit shows is drawn without the ownership test, and the openings are cleared
+    /// Without a card, an eye outside: surfaces of the root visit are drawn without the ownership test, and the openings are cleared
     /// after it (decision 216). Without effect on Drawing::Exact. Off: tests compare.
     bool rootFirst = true;
     /// Macros for every shader. Tests omit parts of the method with them (shaders/include/gate.glsl).

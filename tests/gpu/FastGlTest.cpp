@@ -145,7 +145,7 @@ TEST_F(FastGlTest, showsTheSameSurfaces_rootFirst) {
         const std::set<std::uint32_t> shown(cleared.ids.begin(), cleared.ids.end());
         EXPECT_EQ(shown.count('F'), isShut ? 1u : 0u);
         EXPECT_EQ(shown.count('p'), isShut ? 0u : 1u)
-            << "what is in the plane of a shut opening is behind its filling";
+            << "a surface in the plane of a shut opening is behind its filling";
         EXPECT_EQ(shown.count('R'), isShut ? 0u : 1u);
         for (const char front : {'A', 'f', 't', 'm'})
             EXPECT_EQ(shown.count(static_cast<std::uint32_t>(front)), 1u) << front;
