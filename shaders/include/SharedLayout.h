@@ -308,7 +308,7 @@ struct TerrainCell {
 };
 
 // The layers of a landcell that exist, in order, packed for drivers that shade one triangle at a time: base, overlays,
-// roads; two a vector. First word: page of the texture, its array layer << 8, repeats << 24. Second word, 0 for no more
+// roads; two a vector. A second road has the texture of the first, so that blending one over the other makes one road of both maps. First word: page of the texture, its array layer << 8, repeats << 24. Second word, 0 for no more
 // layers: page of the blend map, its array layer << 8, and the bits below.
 //
 // `shown`: for each layer after the base 64 bits, which say in which parts of the cell it shows: kShownParts columns and rows,
@@ -320,7 +320,6 @@ LIMEN_CONST kPackedTurns = 24u;      // shift of the quarter turns
 LIMEN_CONST kPackedTiling = 24u;     // shift of the repeats
 LIMEN_CONST kPackedLayer = 1u << 26; // always set
 LIMEN_CONST kPackedMap = 1u << 27;   // there is a blend map
-LIMEN_CONST kPackedRoad = 1u << 28;
 LIMEN_CONST kPackedVectors = 3u;
 LIMEN_STRUCT(PackedCell) {
     uvec4 layers[3] LIMEN_ZERO;

@@ -19,12 +19,30 @@ vec2 turned(vec2 v, uint rotation) {
 
 #if defined(FAST) && defined(PAGES_BY_INDEX)
 
+// GROUND_COLOURS, GROUND_MAPS: the pages of all textures and of all blend maps of the ground. Without them a page is chosen by
+// index, which costs llvmpipe a branch for each page.
 vec4 packedTexels(uint place, vec2 uv) {
     return texture(pages[place & 0xFFu], vec3(uv, float((place & kPackedPlace) >> 8)));
 }
 
 vec3 packedColour(uvec2 layer, vec2 uv) {
-    return packedTexels(layer.x, uv * float(layer.x >> kPackedTiling)).rgb;
+    vec2 at = uv * float(layer.x >> kPackedTiling);
+#ifdef GROUND_COLOURS
+    return texture(pages[GROUND_COLOURS], vec3(at, float((layer.x & kPackedPlace) >> 8))).rgb;
+#else
+    return packedTexels(layer.x, at).rgb;
+#endif
+}
+
+// Share of the layers below that remains visible.
+float packedKeeps(uvec2 layer, vec2 uv) {
+    vec2 at = turned(uv - 0.5, layer.y >> kPackedTurns) + 0.5;
+#ifdef GROUND_MAPS
+    float keeps = texture(pages[GROUND_MAPS], vec3(at, float((layer.y & kPackedPlace) >> 8))).a;
+#else
+    float keeps = packedTexels(layer.y, at).a;
+#endif
+    return (layer.y & kPackedMap) != 0u ? keeps : 0.0;
 }
 
 // Bit i: layer i + 1 shows in this part of the cell. `word`, `bit`: of the part.
@@ -50,35 +68,28 @@ uint ofAllFour(uint bits) {
     return bits | uint(own + towards.y * dFdyFine(own) + 0.5);
 }
 
-// 0: the base, which has no map.
+// 0: the first after the base.
 uvec2 layerAt(uint i) {
-    uvec2 layer = i == 0u ? vLayers[0].xy : vLayers[0].zw;
-    layer = i == 2u ? vLayers[1].xy : layer;
-    layer = i == 3u ? vLayers[1].zw : layer;
-    layer = i == 4u ? vLayers[2].xy : layer;
-    return i == 5u ? vLayers[2].zw : layer;
+    uvec2 layer = i == 1u ? vLayers[1].xy : vLayers[0].zw;
+    layer = i == 2u ? vLayers[1].zw : layer;
+    layer = i == 3u ? vLayers[2].xy : layer;
+    return i == 4u ? vLayers[2].zw : layer;
 }
 
 // Blends only the layers that show in the pixel's part of the cell. Other pixels of the same triangle may sample another
 // layer in the same turn, so these layers have one page for their textures and one for their maps (PackedTerrain.h).
 // `uv`: v downwards.
 vec3 blendedPacked(vec2 uv) {
-    vec3 colour = vec3(0.0);
-    vec3 road = vec3(0.0);
-    float roadKeeps = 1.0;
-    uint rest = ofAllFour(shownAt(uv)) << 1u | 1u; // the base first
-    do {
+    vec3 colour = packedColour(vLayers[0].xy, uv);
+    uint rest = ofAllFour(shownAt(uv));
+    do { // once at least, because llvmpipe takes as long for no turn
+        bool shows = rest != 0u;
         uvec2 layer = layerAt(uint(findLSB(rest)));
         rest &= rest - 1u;
-        vec3 painted = packedColour(layer, uv);
-        float keeps = packedTexels(layer.y, turned(uv - 0.5, layer.y >> kPackedTurns) + 0.5).a;
-        keeps = (layer.y & kPackedMap) != 0u ? keeps : 0.0;
-        bool isRoad = (layer.y & kPackedRoad) != 0u;
-        colour = isRoad ? colour : mix(painted, colour, keeps);
-        road = isRoad ? painted : road;
-        roadKeeps *= isRoad ? keeps : 1.0;
+        float keeps = packedKeeps(layer, uv);
+        colour = mix(packedColour(layer, uv), colour, shows ? keeps : 1.0);
     } while (rest != 0u); // at the end: see walkChain in gate.glsl
-    return mix(road, colour, roadKeeps);
+    return colour;
 }
 
 #else

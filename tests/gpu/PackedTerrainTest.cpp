@@ -45,8 +45,8 @@ TEST(PackedTerrain, hasTheLayersThatExist_inOrder) {
     EXPECT_EQ(first.w,
               5u | 51u << 8 | 3u << layout::kPackedTurns | layout::kPackedLayer | layout::kPackedMap);
     EXPECT_EQ(second.x, 4u | 41u << 8 | 1u << layout::kPackedTiling);
-    EXPECT_EQ(second.y, 6u | 61u << 8 | 1u << layout::kPackedTurns | layout::kPackedLayer |
-                            layout::kPackedMap | layout::kPackedRoad);
+    EXPECT_EQ(second.y,
+              6u | 61u << 8 | 1u << layout::kPackedTurns | layout::kPackedLayer | layout::kPackedMap);
     EXPECT_EQ(second.z, 0u);
     EXPECT_EQ(second.w, 0u) << "no more layers";
 }
@@ -62,8 +62,30 @@ TEST(PackedTerrain, holdsAllSixLayers) {
         EXPECT_NE(pair.y & layout::kPackedLayer, 0u);
         EXPECT_NE(pair.w & layout::kPackedLayer, 0u);
     }
-    EXPECT_NE(packed.layers[2].w & layout::kPackedRoad, 0u);
-    EXPECT_EQ(packed.layers[1].w & layout::kPackedRoad, 0u);
+}
+
+TEST(PackedTerrain, aSecondRoadHasTheTextureOfTheFirst) {
+    layout::TerrainCell cell = onlyBase({0, layout::kNoTexture, 0, 1.0f});
+    cell.roads[0] = {1, 3, 0, 2.0f};
+    cell.roads[1] = {2, 4, 1, 5.0f};
+    const layout::PackedCell packed = packTerrain({&cell, 1}, refs(5), maps(5)).front();
+    EXPECT_EQ(packed.layers[1].x, packed.layers[0].z) << "texture and repeats";
+    EXPECT_EQ(packed.layers[1].y & layout::kPackedPlace & 0xFFu, 4u) << "its own map";
+}
+
+TEST(GroundPages, areThoseOfAllTexturesAndOfAllMaps) {
+    layout::TerrainCell cell = onlyBase({0, layout::kNoTexture, 0, 1.0f});
+    const auto pagesOf = [&](std::vector<TextureLocation> locations) {
+        return groundPagesOf(groundTexturesOf({&cell, 1}), locations);
+    };
+    EXPECT_EQ(pagesOf({{7, 0}}), (GroundPages{7, 7})) << "no map";
+    cell.overlays[2] = {1, 2, 0, 1.0f};
+    EXPECT_EQ(pagesOf({{7, 0}, {7, 1}, {4, 0}}), (GroundPages{7, 4}));
+    EXPECT_EQ(pagesOf({{7, 0}, {3, 1}, {4, 0}}), std::nullopt) << "two pages of textures";
+    cell.roads[1] = {1, 3, 0, 1.0f};
+    EXPECT_EQ(pagesOf({{7, 0}, {7, 1}, {4, 0}, {4, 1}}), (GroundPages{7, 4}));
+    EXPECT_EQ(pagesOf({{7, 0}, {7, 1}, {4, 0}, {5, 0}}), std::nullopt) << "two pages of maps";
+    EXPECT_EQ(groundPagesOf({}, {}), std::nullopt) << "no ground";
 }
 
 TEST(PackedTerrain, layersOfCommonPagesShowInThePartsOfTheirMaps) {

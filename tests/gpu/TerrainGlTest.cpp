@@ -5,8 +5,15 @@
 namespace limen::gpu::test {
 namespace {
 
+/// A way of drawing the ground. `severalPages`: its textures have several sizes, so that no page holds all.
+struct GroundWay {
+    const char* name;
+    Drawing drawing = Drawing::Exact;
+    bool severalPages = false;
+};
+
 // A landcell upright before the camera: x is east, z is north; one pixel per 1/8 of the cell.
-class TerrainGlTest : public GlTest {
+class TerrainGlTest : public GlTest, public ::testing::WithParamInterface<GroundWay> {
 protected:
     static constexpr std::uint32_t kSize = 8;
 
@@ -19,10 +26,12 @@ protected:
         options.uv = {
             glm::vec2{0, 0}, {1, 0}, {1, 1}, {0, 1}}; // position in the cell, south-west corner first
         scene.addWall('T', {-2, -2}, {2, 2}, 2, options);
-        return render(scene, kSize);
+        return render(scene, kSize, {.drawing = GetParam().drawing});
     }
     static std::uint32_t plain(SceneBuilder& scene, std::uint8_t r, std::uint8_t g, std::uint8_t b) {
-        return scene.addTexture(1, 1, {r, g, b, 255}, false);
+        if (!GetParam().severalPages || scene.upload.textures.size() % 2 == 0)
+            return scene.addTexture(1, 1, {r, g, b, 255}, false);
+        return scene.addTexture(2, 2, {r, g, b, 255, r, g, b, 255, r, g, b, 255, r, g, b, 255}, false);
     }
     // 8 x 8 texels, one per pixel; alpha grows eastwards and, a little, southwards.
     static std::uint8_t alphaAt(std::uint32_t column, std::uint32_t row) {
@@ -49,7 +58,7 @@ protected:
     }
 };
 
-TEST_F(TerrainGlTest, overlay_showsWhereItsAlphaIsLow_inEachRotation) {
+TEST_P(TerrainGlTest, overlay_showsWhereItsAlphaIsLow_inEachRotation) {
     for (std::uint32_t rotation = 0; rotation < 4; ++rotation) {
         SceneBuilder scene;
         const std::uint32_t base = plain(scene, 200, 0, 40), over = plain(scene, 0, 100, 40);
@@ -72,7 +81,7 @@ TEST_F(TerrainGlTest, overlay_showsWhereItsAlphaIsLow_inEachRotation) {
     }
 }
 
-TEST_F(TerrainGlTest, overlay_isWithinAStepOfTheOriginalsIntegers) {
+TEST_P(TerrainGlTest, overlay_isWithinAStepOfTheOriginalsIntegers) {
     SceneBuilder scene;
     constexpr std::array<int, 3> kBase{200, 3, 40}, kOver{0, 100, 255};
     const std::uint32_t base = plain(scene, 200, 3, 40), over = plain(scene, 0, 100, 255);
@@ -91,7 +100,7 @@ TEST_F(TerrainGlTest, overlay_isWithinAStepOfTheOriginalsIntegers) {
     }
 }
 
-TEST_F(TerrainGlTest, threeOverlaysAndTwoRoads_arePaintedInOrder) {
+TEST_P(TerrainGlTest, threeOverlaysAndTwoRoads_arePaintedInOrder) {
     SceneBuilder scene;
     const std::array<std::uint32_t, 4> overlays{plain(scene, 250, 0, 0), plain(scene, 0, 250, 0),
                                                 plain(scene, 0, 0, 250), plain(scene, 90, 80, 70)};
@@ -115,7 +124,7 @@ TEST_F(TerrainGlTest, threeOverlaysAndTwoRoads_arePaintedInOrder) {
     }
 }
 
-TEST_F(TerrainGlTest, tiling_repeatsTheColourTextureFromTheNorthWest) {
+TEST_P(TerrainGlTest, tiling_repeatsTheColourTextureFromTheNorthWest) {
     SceneBuilder scene;
     const std::uint32_t texture =
         scene.addTexture(2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}, false);
@@ -128,13 +137,18 @@ TEST_F(TerrainGlTest, tiling_repeatsTheColourTextureFromTheNorthWest) {
     EXPECT_EQ(frame.at(6, 2), glm::ivec3(255, 0, 0));
 }
 
-TEST_F(TerrainGlTest, landcellIsFoundByTheVerticesSurface) {
+TEST_P(TerrainGlTest, landcellIsFoundByTheVerticesSurface) {
     SceneBuilder scene;
     scene.upload.terrainCells.push_back(only(layer(plain(scene, 255, 0, 0))));
     const Frame frame = drawCell(scene, only(layer(plain(scene, 0, 255, 0)))); // cell 1
     EXPECT_EQ(frame.at(3, 3), glm::ivec3(0, 255, 0));
     EXPECT_EQ(frame.picture()[3], "TTTTTTTT");
 }
+
+INSTANTIATE_TEST_SUITE_P(Ways, TerrainGlTest,
+                         ::testing::Values(GroundWay{"exact"}, GroundWay{"fast", Drawing::Fast},
+                                           GroundWay{"fastWithSeveralPages", Drawing::Fast, true}),
+                         [](const auto& way) { return std::string(way.param.name); });
 
 } // namespace
 } // namespace limen::gpu::test

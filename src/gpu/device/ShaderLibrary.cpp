@@ -23,6 +23,9 @@ std::string textureDefines(const TextureBinding& binding) {
     std::string text = fmt::format("#define PAGE_COUNT {}\n#define EACH_PAGE(x)", binding.pageCount);
     for (const std::uint32_t page : binding.pages)
         text += fmt::format(" x({})", page);
+    if (binding.ground)
+        text += fmt::format("\n#define GROUND_COLOURS {}\n#define GROUND_MAPS {}", binding.ground->colours,
+                            binding.ground->maps);
     return text + (binding.byIndex && binding.pageCount > 0 ? "\n#define PAGES_BY_INDEX 1\n" : "\n");
 }
 

@@ -3,6 +3,7 @@
 #include "core/Error.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,6 +22,12 @@ struct EmbeddedShader {
 /// All embedded shaders, in no particular order.
 [[nodiscard]] std::span<const EmbeddedShader> embeddedShaders();
 
+/// The pages of all textures and of all blend maps of the ground.
+struct GroundPages {
+    std::uint32_t colours = 0, maps = 0;
+    bool operator==(const GroundPages&) const = default;
+};
+
 /// Texture binding of a program.
 struct TextureBinding {
     bool bindless = false;
@@ -28,6 +35,7 @@ struct TextureBinding {
     std::vector<std::uint32_t>
         pages{}; ///< pages that the program may sample, ascending; each one has a cost even if unused
     bool byIndex = false; ///< pages are selected by a variable index (TextureStoreOptions)
+    std::optional<GroundPages> ground{}; ///< of the ground's programs, if each is one page
     bool operator==(const TextureBinding&) const = default;
 };
 

@@ -18,12 +18,11 @@ std::uint32_t placeOf(std::uint32_t texture, std::span<const layout::TextureRef>
     return place.y | place.x << 8;
 }
 
-layout::uvec2 pack(const layout::TerrainLayer& layer, bool isRoad, std::span<const layout::TextureRef> refs) {
+layout::uvec2 pack(const layout::TerrainLayer& layer, std::span<const layout::TextureRef> refs) {
     constexpr float kMostRepeats = 255.0f;
     const auto repeats = static_cast<std::uint32_t>(std::clamp(std::round(layer.tiling), 1.0f, kMostRepeats));
     layout::uvec2 packed{placeOf(layer.texture, refs) | repeats << layout::kPackedTiling,
-                         layout::kPackedLayer | (layer.rotation & 3u) << layout::kPackedTurns |
-                             (isRoad ? layout::kPackedRoad : 0)};
+                         layout::kPackedLayer | (layer.rotation & 3u) << layout::kPackedTurns};
     if (layer.alpha != layout::kNoTexture)
         packed.y |= layout::kPackedMap | placeOf(layer.alpha, refs);
     return packed;
@@ -78,25 +77,68 @@ layout::PackedCell pack(const layout::TerrainCell& cell, std::span<const layout:
                         std::span<const ShownParts> maps) {
     layout::PackedCell out;
     std::size_t count = 0;
-    const auto add = [&](const layout::TerrainLayer& layer, bool isRoad) {
+    const auto add = [&](const layout::TerrainLayer& layer) {
         if (layer.texture == layout::kNoTexture)
             return;
-        const layout::uvec2 packed = pack(layer, isRoad, refs);
+        const layout::uvec2 packed = pack(layer, refs);
         layout::uvec4& pair = out.layers[count / 2];
         (count % 2 == 0 ? pair.x : pair.z) = packed.x;
         (count % 2 == 0 ? pair.y : pair.w) = packed.y;
         ++count;
     };
-    add(cell.base, false);
+    add(cell.base);
     for (const layout::TerrainLayer& overlay : cell.overlays)
-        add(overlay, false);
+        add(overlay);
     for (const layout::TerrainLayer& road : cell.roads)
-        add(road, true);
+        add(road);
     packParts(Overlays(cell), refs, maps, out);
     return out;
 }
 
+/// With the texture of the first road in the second.
+layout::TerrainCell withOneRoad(layout::TerrainCell cell) {
+    layout::TerrainLayer& second = cell.roads[1];
+    if (cell.roads[0].texture != layout::kNoTexture && second.texture != layout::kNoTexture) {
+        second.texture = cell.roads[0].texture;
+        second.tiling = cell.roads[0].tiling;
+    }
+    return cell;
+}
+
+/// Whether all pictures are in one page.
+bool haveOnePage(std::span<const std::uint32_t> pictures, std::span<const TextureLocation> locations) {
+    return std::all_of(pictures.begin(), pictures.end(), [&](std::uint32_t picture) {
+        return locations[picture].page == locations[pictures[0]].page;
+    });
+}
+
 } // namespace
+
+GroundTextures groundTexturesOf(std::span<const layout::TerrainCell> cells) {
+    GroundTextures ground;
+    const auto add = [&](const layout::TerrainLayer& layer) {
+        if (layer.texture == layout::kNoTexture)
+            return;
+        ground.colours.push_back(layer.texture);
+        if (layer.alpha != layout::kNoTexture)
+            ground.maps.push_back(layer.alpha);
+    };
+    for (const layout::TerrainCell& cell : cells) {
+        add(cell.base);
+        std::for_each(std::begin(cell.overlays), std::end(cell.overlays), add);
+        std::for_each(std::begin(cell.roads), std::end(cell.roads), add);
+    }
+    return ground;
+}
+
+std::optional<GroundPages> groundPagesOf(const GroundTextures& ground,
+                                         std::span<const TextureLocation> locations) {
+    if (ground.colours.empty() || !haveOnePage(ground.colours, locations) ||
+        !haveOnePage(ground.maps, locations))
+        return std::nullopt;
+    const std::uint32_t colours = locations[ground.colours[0]].page;
+    return GroundPages{colours, ground.maps.empty() ? colours : locations[ground.maps[0]].page};
+}
 
 std::vector<layout::PackedCell> packTerrain(std::span<const layout::TerrainCell> cells,
                                             std::span<const layout::TextureRef> refs,
@@ -104,7 +146,7 @@ std::vector<layout::PackedCell> packTerrain(std::span<const layout::TerrainCell>
     std::vector<layout::PackedCell> out;
     out.reserve(cells.size());
     for (const layout::TerrainCell& cell : cells)
-        out.push_back(pack(cell, refs, maps));
+        out.push_back(pack(withOneRoad(cell), refs, maps));
     return out;
 }
 

@@ -1,6 +1,7 @@
 #include "gpu/scene/SceneStaging.h"
 
 #include "gpu/DriverChoices.h"
+#include "gpu/scene/PackedTerrain.h"
 #include "gpu/scene/SceneCheck.h"
 #include "gpu/scene/SharedVertices.h"
 
@@ -12,24 +13,21 @@ namespace {
 namespace layout = frame::gpu;
 
 SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures& textures) {
-    std::vector<std::uint32_t> meshes, terrain;
+    std::vector<std::uint32_t> meshes;
     for (const layout::Material& material : upload.materials)
         meshes.push_back(material.texture);
-    const auto addLayer = [&](const layout::TerrainLayer& layer) {
-        if (layer.texture != layout::kNoTexture)
-            terrain.insert(terrain.end(), {layer.texture, layer.alpha});
-    };
-    for (const layout::TerrainCell& cell : upload.terrainCells) {
-        terrain.push_back(cell.base.texture);
-        std::for_each(std::begin(cell.overlays), std::end(cell.overlays), addLayer);
-        std::for_each(std::begin(cell.roads), std::end(cell.roads), addLayer);
-    }
     const frame::SceneDetails& details = upload.details;
     meshes.insert(meshes.end(), {details.exteriors, details.shells});
+    const GroundTextures ground = groundTexturesOf(upload.terrainCells);
+    std::vector<std::uint32_t> terrain = ground.colours;
+    terrain.insert(terrain.end(), ground.maps.begin(), ground.maps.end());
     terrain.push_back(details.land);
-    return {bindingFor(textures, meshes), bindingFor(textures, terrain),
-            details.exteriors != layout::kNoTexture || details.shells != layout::kNoTexture,
-            details.land != layout::kNoTexture, upload.defines};
+    SceneBindings bindings{bindingFor(textures, meshes), bindingFor(textures, terrain),
+                           details.exteriors != layout::kNoTexture || details.shells != layout::kNoTexture,
+                           details.land != layout::kNoTexture, upload.defines};
+    if (textures.byIndex)
+        bindings.terrain.ground = groundPagesOf(ground, textures.locations);
+    return bindings;
 }
 
 /// Whether the previous pages keep their numbers.
