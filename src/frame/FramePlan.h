@@ -58,6 +58,7 @@ struct PieceRun {
     bool gated = false;                           ///< their fragments take the ownership test
     RectRun rects{};                              ///< no fragment outside these rectangles is visible
     Turn turn = Turn::After;                      ///< counts in batches that have one
+    bool inRange = false;                         ///< the eye is known to be in range of all levels of detail
 };
 
 /// Runs of pieces of one program: one GL draw call.

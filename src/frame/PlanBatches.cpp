@@ -37,7 +37,7 @@ void addRun(const PieceRun& run, FramePlan& plan) {
     batch.draws += run.pieceCount;
     PieceRun* last = batch.count > 0 ? &plan.runs.back() : nullptr;
     if (last != nullptr && last->gated == run.gated && last->rects == run.rects && last->turn == run.turn &&
-        last->firstPiece + last->pieceCount == run.firstPiece &&
+        last->inRange == run.inRange && last->firstPiece + last->pieceCount == run.firstPiece &&
         last->indicesBefore + last->indexCount == run.indicesBefore) {
         last->pieceCount += run.pieceCount;
         last->indexCount += run.indexCount;

@@ -91,14 +91,14 @@ void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
     }
     endStage(plan);
     rects_.find(frame, set, plan);
-    selection_.select(frame, dynamics, set);
-    planDynamics(world_, frame, dynamics, selection_.dynamicInstances(), dynamicPieces_, plan);
-    replaceHighlighted(scene_, frame.highlights, plan);
     LIMEN_ASSERT(!frame.rootFirst || frame.fillsVoids, "FrameView::rootFirst requires it");
     std::optional<RectRun> openings;
     if (several && frame.fillsVoids && frame.view.root == world::kOutside)
         openings = rectsOfOpenings(frame, set, plan);
     isRootFirst_ = frame.rootFirst && openings && shareOf(*openings, plan) <= kMostOpen;
+    selection_.select(frame, dynamics, set, isRootFirst_);
+    planDynamics(world_, frame, dynamics, selection_.dynamicInstances(), dynamicPieces_, plan);
+    replaceHighlighted(scene_, frame.highlights, plan);
     beginStage(plan, StageKind::Solid);
     if (isRootFirst_)
         planSolidRootFirst(*openings, plan);
@@ -189,6 +189,7 @@ void Planner::addSolid(DrawClass drawn, bool several, FramePlan& plan) {
         run.gated = range.gated;
         run.rects = rects_.of(range.zone);
         run.turn = isRootFirst_ ? range.turn : Turn::After;
+        run.inRange = range.inRange;
         addRun(run, plan);
     }
     dynamicPieces_.moveRuns(drawn, plan);

@@ -29,11 +29,11 @@ bool isWholeScreen(const visibility::Rect& rect) {
 
 Selection::Selection(const StaticScene& scene)
     : world_(scene.world()), clusters_(scene.clusters()), levels_(clusters_, scene.clusterBatches()),
-      exits_(world_), occluders_(scene), testedFrame_(world_.spaces.size()), lastTest_(world_.spaces.size()),
-      sharedResults_(clusters_.sharedIsInOneZone.size()) {}
+      inRange_(world_, scene.levels()), exits_(world_), occluders_(scene), testedFrame_(world_.spaces.size()),
+      lastTest_(world_.spaces.size()), sharedResults_(clusters_.sharedIsInOneZone.size()) {}
 
 void Selection::select(const FrameView& frame, const world::DynamicState& dynamics,
-                       const visibility::VisibleSet& set) {
+                       const visibility::VisibleSet& set, bool rootFirst) {
     ++frameNumber_;
     counts_ = {};
     ranges_.clear();
@@ -46,7 +46,8 @@ void Selection::select(const FrameView& frame, const world::DynamicState& dynami
     nearPlane_ = frame.nearPlane;
     hasSeveralVisits_ = set.visits.size() > 1;
     hasFewTests_ = frame.fewTests;
-    hasTurns_ = frame.rootFirst;
+    hasTurns_ = rootFirst;
+    inRange_.prepare(frame.view.eye, frame.levels);
     levelShare_ = frame.levels;
     testsEveryVisit_ = frame.rules.viewcone;
     dynamicResults_.resize(dynamics.instances.size());
@@ -95,7 +96,7 @@ void Selection::selectStatic(const TestedSpace& tested, std::uint32_t root) {
     if (!hasSeveralVisits_ && !tests_[tested.firstTest].isNarrow && !occluders_.areReady()) {
         for (const PositionRange& range :
              levels_.select(tested.space, cones_, eye_, forward_, nearPlane_, levelShare_))
-            draw(range.first, range.end, true, Turn::Before);
+            draw(range, true, Turn::Before, false);
         counts_.boundsTested += levels_.boundsTested();
         return;
     }
@@ -107,7 +108,8 @@ void Selection::selectStatic(const TestedSpace& tested, std::uint32_t root) {
 
 Containment Selection::testCluster(const SpaceTest& test, const SeenSphere& sphere) {
     ++counts_.boundsTested;
-    const Containment inVisit = cones_.classify(test.visit, sphere);
+    const Containment inVisit =
+        hasTurns_ && test.visit == 0 ? cones_.classifyInRoot(sphere) : cones_.classify(test.visit, sphere);
     if (inVisit == Containment::Outside || !test.isNarrow)
         return inVisit;
     const Containment inRect = visibility::Viewcones::classify(test.rect, sphere);
@@ -130,6 +132,17 @@ Containment Selection::testInstance(const SpaceTest& test, const SeenSphere& sph
     return Containment::Outside;
 }
 
+Containment Selection::testInRoot(const SpaceTest& test, std::uint32_t position, const SeenSphere& sphere) {
+    ++counts_.boundsTested;
+    if (cones_.classifyInRoot(sphere) == Containment::Outside ||
+        (test.isNarrow && visibility::Viewcones::classify(test.rect, sphere) == Containment::Outside))
+        return Containment::Outside;
+    if (!occluders_.hideAt(position))
+        return Containment::Inside;
+    ++counts_.hidden;
+    return Containment::Outside;
+}
+
 Containment Selection::testStatic(const SpaceTest& test, std::uint32_t position, const SeenSphere& sphere) {
     const Containment found = testInstance(test, sphere);
     if (found != Containment::Outside && test.visit == 0 && occluders_.hideAt(position)) {
@@ -144,11 +157,16 @@ Containment Selection::testStatic(const SpaceTest& test, std::uint32_t position,
 
 void Selection::drawInRange(const Cluster& cluster, Turn turn) {
     const Containment levels = cluster.detail.at(cluster.bounds.centre - eye_, levelShare_);
-    if (levels == Containment::Inside || (levels == Containment::Partial && cluster.childCount == 0))
-        draw(cluster.first, cluster.end, true, turn);
-    else if (levels == Containment::Partial)
-        for (std::uint32_t i = 0; i < cluster.childCount; ++i)
-            drawInRange(clusters_.clusters[cluster.firstChild + i], turn);
+    if (levels == Containment::Inside)
+        draw(PositionRange{cluster.first, cluster.end}, true, turn);
+    if (levels != Containment::Partial)
+        return;
+    for (std::uint32_t i = 0; i < cluster.childCount; ++i)
+        drawInRange(clusters_.clusters[cluster.firstChild + i], turn);
+    for (std::uint32_t position = cluster.first; cluster.childCount == 0 && position < cluster.end;
+         ++position)
+        if (inRange_.isInRange(position))
+            draw(position, true, turn);
 }
 
 void Selection::drawUnhidden(const Cluster& cluster) {
@@ -163,11 +181,14 @@ void Selection::drawUnhidden(const Cluster& cluster) {
     }
     if (cluster.childCount > 0)
         return;
-    for (std::uint32_t position = cluster.first; position < cluster.end; ++position)
+    for (std::uint32_t position = cluster.first; position < cluster.end; ++position) {
+        if (!inRange_.isInRange(position))
+            continue;
         if (occluders_.hideAt(position))
             ++counts_.hidden;
         else
-            draw(position, position + 1, true, Turn::Before);
+            draw(position, true, Turn::Before);
+    }
 }
 
 void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
@@ -182,7 +203,8 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
             counts_.hidden += cluster.end - cluster.first;
             continue;
         }
-        if (here == Containment::Inside) {
+        const bool isOfRoot = hasTurns_ && test.visit == 0;
+        if (here == Containment::Inside && !(isOfRoot && othersReach(i + 1, endActive, sphere))) {
             if (test.visit == 0 && occluders_.areReady())
                 drawUnhidden(cluster);
             else
@@ -190,7 +212,7 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
             active_.resize(endActive);
             return;
         }
-        if (here == Containment::Partial)
+        if (here != Containment::Outside)
             active_.push_back(active_[i]);
     }
     if (active_.size() > endActive) {
@@ -208,35 +230,64 @@ void Selection::descend(const Cluster& cluster, std::size_t firstActive) {
     active_.resize(endActive);
 }
 
+bool Selection::othersReach(std::size_t begin, std::size_t end, const SeenSphere& sphere) {
+    return active_.size() > end ||
+           std::any_of(active_.begin() + static_cast<std::ptrdiff_t>(begin),
+                       active_.begin() + static_cast<std::ptrdiff_t>(end), [&](std::uint32_t test) {
+                           return testCluster(tests_[test], sphere) != Containment::Outside;
+                       });
+}
+
+Selection::Showing Selection::showingOf(std::uint32_t position, std::size_t firstActive) {
+    const SeenSphere sphere = sphereOf(clusters_.bounds[position]);
+    Containment best = Containment::Outside;
+    for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i)
+        best = std::max(best, testStatic(tests_[active_[i]], position, sphere));
+    return {best, Turn::After};
+}
+
+// An instance that other visits show, too, takes their test, unless one of them shows it all.
+Selection::Showing Selection::showingBesideRoot(std::uint32_t position, std::size_t firstActive) {
+    const SeenSphere sphere = sphereOf(clusters_.bounds[position]);
+    bool inRoot = false, inOthers = false;
+    for (std::size_t i = firstActive; i < active_.size(); ++i) {
+        const SpaceTest& test = tests_[active_[i]];
+        if (test.visit == 0) {
+            inRoot = testInRoot(test, position, sphere) != Containment::Outside;
+            continue;
+        }
+        const Containment here = testStatic(test, position, sphere);
+        if (here == Containment::Inside)
+            return {here, Turn::After};
+        inOthers = inOthers || here != Containment::Outside;
+    }
+    if (inOthers)
+        return {Containment::Partial, inRoot ? Turn::Both : Turn::After};
+    return {inRoot ? Containment::Inside : Containment::Outside, Turn::Before};
+}
+
 void Selection::selectLeaf(const Cluster& leaf, std::size_t firstActive) {
     for (std::uint32_t position = leaf.first; position < leaf.end; ++position) {
-        const SeenSphere sphere = sphereOf(clusters_.bounds[position]);
-        Containment best = Containment::Outside;
-        Turn turn = Turn::After;
-        for (std::size_t i = firstActive; i < active_.size() && best != Containment::Inside; ++i) {
-            const Containment here = testStatic(tests_[active_[i]], position, sphere);
-            if (here == Containment::Outside)
-                continue;
-            const Turn of = turnOf(tests_[active_[i]].visit);
-            turn =
-                best == Containment::Outside || here == Containment::Inside || of == turn ? of : Turn::Both;
-            best = here;
-        }
-        if (best != Containment::Outside)
-            draw(position, position + 1, best == Containment::Inside, turn);
+        if (!inRange_.isInRange(position))
+            continue;
+        const Showing showing =
+            hasTurns_ ? showingBesideRoot(position, firstActive) : showingOf(position, firstActive);
+        if (showing.best != Containment::Outside)
+            draw(position, showing.best == Containment::Inside, showing.turn);
     }
 }
 
-void Selection::draw(std::uint32_t first, std::uint32_t end, bool inside, Turn turn) {
+void Selection::draw(const PositionRange& range, bool inside, Turn turn, bool inRange) {
+    const auto [first, end] = range;
     const bool gated = hasSeveralVisits_ && !inside;
     counts_.drawn += end - first;
     counts_.ungated += gated ? 0 : end - first;
     SelectedRange* const last = ranges_.empty() ? nullptr : &ranges_.back();
     if (last != nullptr && last->end == first && last->gated == gated && last->zone == zone_ &&
-        (last->turn == turn || !hasTurns_))
+        last->inRange == inRange && (last->turn == turn || !hasTurns_))
         last->end = end;
     else
-        ranges_.push_back({first, end, gated, turn, zone_});
+        ranges_.push_back({first, end, gated, inRange, turn, zone_});
 }
 
 bool Selection::testShared(const SpaceTest& test, const Sphere& bounds, SharedResult& result) {
@@ -329,13 +380,12 @@ void Selection::finishListed(const world::DynamicState& dynamics) {
     counts_.tested += static_cast<std::uint32_t>(sharedTested_.size() + dynamicTested_.size());
     std::sort(sharedTested_.begin(), sharedTested_.end());
     for (const std::uint32_t number : sharedTested_) {
-        if (const Containment seen = sharedResults_[number].seen; seen != Containment::Outside) {
-            const std::uint32_t position = clusters_.firstShared + number;
-            // A member of several zones always takes the test, because the zone of each fragment also selects
-            // its light.
-            draw(position, position + 1,
-                 seen == Containment::Inside && clusters_.sharedIsInOneZone[number] != 0, Turn::After);
-        }
+        const Containment seen = sharedResults_[number].seen;
+        const std::uint32_t position = clusters_.firstShared + number;
+        // A member of several zones always takes the test, because the zone of each fragment also selects its light.
+        if (seen != Containment::Outside && inRange_.isInRange(position))
+            draw(position, seen == Containment::Inside && clusters_.sharedIsInOneZone[number] != 0,
+                 Turn::After);
     }
     const std::vector<world::InstanceIndex>& instance = dynamics.listed.instance;
     for (const std::uint32_t at : dynamicTested_) {

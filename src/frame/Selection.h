@@ -2,6 +2,7 @@
 
 #include "frame/FramePlan.h"
 #include "frame/FrameView.h"
+#include "frame/InstanceLevels.h"
 #include "frame/LevelSelection.h"
 #include "frame/Occluders.h"
 #include "frame/RootExits.h"
@@ -16,6 +17,7 @@ namespace limen::frame {
 struct SelectedRange {
     std::uint32_t first = 0, end = 0;
     bool gated = false;
+    bool inRange = false;    ///< the eye is known to be in range of all levels of detail
     Turn turn = Turn::After; ///< for FrameView::rootFirst
     /// With several visits: the only zone that all of them are members of. Else kNone.
     world::ZoneIndex zone = world::kNone;
@@ -29,8 +31,8 @@ using SelectedDynamic = std::uint32_t;
 /// gated unless it is wholly within one visit, in front of every surface that can hide it
 /// (Viewcones::classify), and a member of one zone. With a single visit nothing is gated.
 ///
-/// A cluster is left out if all its instances are out of the range of their levels of detail. Those of others are
-/// selected, because the drawing leaves them out (DrawRecords::isInRange).
+/// Instances out of the range of their levels of detail are left out, but with a single visit only clusters all of whose instances
+/// are. The drawing leaves out others (DrawRecords::isInRange).
 ///
 /// Instances of clusters wholly inside or outside are not tested one by one; the result is the same. There is
 /// one exception: with a single visit, a leaf cluster ahead of the eye that crosses the picture's edges is
@@ -41,8 +43,9 @@ class Selection {
 public:
     explicit Selection(const StaticScene& scene);
 
+    /// `rootFirst`: the plan draws the root by itself, without the ownership test (FrameView::rootFirst).
     void select(const FrameView& frame, const world::DynamicState& dynamics,
-                const visibility::VisibleSet& set);
+                const visibility::VisibleSet& set, bool rootFirst = false);
 
     [[nodiscard]] std::span<const SelectedRange> ranges() const { return ranges_; } ///< in order, disjoint
     /// In the order of DynamicState::instances.
@@ -90,6 +93,19 @@ private:
     /// The same for a static instance that one space lists: walls are tested by their vertices.
     [[nodiscard]] Containment testStatic(const SpaceTest& test, std::uint32_t position,
                                          const visibility::SeenSphere& sphere);
+    /// The same for the root visit, which is drawn by itself: Inside if it shows the instance, because nothing takes a test.
+    [[nodiscard]] Containment testInRoot(const SpaceTest& test, std::uint32_t position,
+                                         const visibility::SeenSphere& sphere);
+    /// Whether visits other than the root, of active tests up to `end`, reach a sphere. Tests before `begin` are done; those that reach
+    /// it are active from `end` on.
+    [[nodiscard]] bool othersReach(std::size_t begin, std::size_t end, const visibility::SeenSphere& sphere);
+    /// The visits that show a static instance: Outside if none does.
+    struct Showing {
+        Containment best = Containment::Outside;
+        Turn turn = Turn::After;
+    };
+    [[nodiscard]] Showing showingOf(std::uint32_t position, std::size_t firstActive);
+    [[nodiscard]] Showing showingBesideRoot(std::uint32_t position, std::size_t firstActive);
     /// Draws a cluster that is Inside a visit.
     void drawInRange(const Cluster& cluster, Turn turn);
     /// Draws the instances of a cluster that is Inside the root visit and not hidden as a whole.
@@ -106,12 +122,16 @@ private:
     bool testShared(const SpaceTest& test, const Sphere& bounds, SharedResult& result);
     void testSharedDynamic(const SpaceTest& test, const world::DynamicState& dynamics, std::uint32_t at);
     void finishListed(const world::DynamicState& dynamics);
-    void draw(std::uint32_t first, std::uint32_t end, bool inside, Turn turn);
+    void draw(const PositionRange& range, bool inside, Turn turn, bool inRange = true);
+    void draw(std::uint32_t position, bool inside, Turn turn) {
+        draw({position, position + 1}, inside, turn);
+    }
     void drawDynamic(std::uint32_t at, bool inside);
 
     const world::World& world_;
     const Clusters& clusters_;
     LevelSelection levels_;
+    LevelTests inRange_;
     RootExits exits_;
     Occluders occluders_;
     visibility::Viewcones cones_;
@@ -121,7 +141,7 @@ private:
     bool hasSeveralVisits_ = false;
     world::ZoneIndex zone_ = world::kNone; ///< SelectedRange::zone of the next ranges
     bool hasFewTests_ = false;             ///< FrameView::fewTests
-    bool hasTurns_ = false;                ///< FrameView::rootFirst
+    bool hasTurns_ = false;                ///< the root is drawn by itself
     bool testsEveryVisit_ = false;         ///< Rules::viewcone
     std::uint32_t frameNumber_ = 0;
     std::vector<SpaceTest> tests_; ///< by VisibleSet::seen

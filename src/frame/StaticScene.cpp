@@ -27,7 +27,7 @@ bool shellsHaveCutOuts(const world::World& world) {
 StaticScene::StaticScene(const world::World& world)
     : world_(world), clusters_(buildClusters(world)), clusterBatches_(clusters_),
       pieces_(buildPieces(world, clusters_)), meshPieces_(world), occluders_(world, clusters_),
-      members_(membersOfSpaces(world)), hasShellCutOuts_(shellsHaveCutOuts(world)),
+      levels_(world, clusters_), members_(membersOfSpaces(world)), hasShellCutOuts_(shellsHaveCutOuts(world)),
       byObject_(world.instances.size()) {
     records_.reserve(world.instances.size());
     std::map<std::pair<world::SpaceIndex, std::uint32_t>, MemberRun> known; // by the only space and light set

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "frame/Clusters.h"
+#include "frame/InstanceLevels.h"
 #include "frame/OccluderShapes.h"
 #include "frame/ResidentPieces.h"
 
@@ -24,6 +25,7 @@ public:
     /// The pieces of each mesh, for dynamic instances.
     [[nodiscard]] const MeshPieces& meshPieces() const { return meshPieces_; }
     [[nodiscard]] const OccluderShapes& occluders() const { return occluders_; }
+    [[nodiscard]] const InstanceLevels& levels() const { return levels_; }
     /// The device records of World::instances, by number, without highlights.
     [[nodiscard]] std::span<const gpu::Instance> records() const { return records_; }
     /// The member records that `records` refer to; those of the spaces come first (frame/PackInstance.h).
@@ -43,6 +45,7 @@ private:
     const ResidentPieces pieces_;
     const MeshPieces meshPieces_;
     const OccluderShapes occluders_;
+    const InstanceLevels levels_;
     std::vector<gpu::Member> members_;
     std::vector<gpu::Instance> records_;
     const bool hasShellCutOuts_;                 ///< cut-outs, or split surfaces

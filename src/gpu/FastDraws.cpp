@@ -49,12 +49,16 @@ bool takes(frame::Turn share, frame::Turn turn) {
     return share == turn || share == frame::Turn::Both || turn == frame::Turn::Both;
 }
 
-/// The first run of cut-outs that are drawn before openings are cleared.
+/// The first run of cut-outs that are drawn before openings are cleared; after all runs if there is none.
 std::uint32_t firstCutOutOf(const frame::FramePlan& plan) {
     for (const frame::Batch& batch : plan.batches)
         if (batch.program == frame::Program::CutOut && batch.turn == frame::Turn::Before)
             return batch.first;
-    return 0;
+    return static_cast<std::uint32_t>(plan.runs.size());
+}
+
+bool takesLamps(const frame::Batch& batch) {
+    return batch.program != frame::Program::Terrain; // its corners are too far apart
 }
 
 } // namespace
@@ -67,6 +71,7 @@ void FastDraws::prepare(const frame::FramePlan& plan, const RenderOptions& optio
     draws_.clear();
     commands_.clear();
     firstCutOut_ = firstCutOutOf(plan);
+    late_.clear();
     const frame::DrawRecords makes(tables, plan, own_);
     for (const frame::Stage& stage : plan.stages) {
         for (std::size_t i = stage.firstBatch; i < stage.firstBatch + stage.batchCount; ++i) {
@@ -93,35 +98,46 @@ void FastDraws::prepare(const frame::FramePlan& plan, const RenderOptions& optio
 void FastDraws::addRuns(const frame::FramePlan& plan, const frame::Batch& batch,
                         const frame::DrawRecords& makes, BatchSlots& slots) {
     const bool fromOutside = plan.constants.rootZone == layout::kOutside;
-    const bool takesLamps = batch.program != frame::Program::Terrain; // its corners are too far apart
-    const bool isWhole = batch.program == frame::Program::Blended;    // back to front
-    std::uint32_t last = 0xFFFFFFFFu; // pieces of one instance often follow each other
-    bool isHere = false, hasLamps = false;
+    const bool takesLate = batch.turn == frame::Turn::After && batch.program == frame::Program::CutOut;
+    known_ = {};
     for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
         const frame::PieceRun& run = plan.runs[i];
+        if (!takes(batch.turn, run.turn))
+            continue;
         for (std::uint32_t number = run.firstPiece; number < run.firstPiece + run.pieceCount; ++number) {
-            const layout::DrawPiece& piece = makes.piece(number);
-            if (isOfSky(piece)) {
-                part_.push_back({meshOf(piece), number, false});
+            if (isOfSky(makes.piece(number))) {
+                part_.push_back({meshOf(makes.piece(number)), number, false});
                 continue;
             }
-            if (piece.instance != last) {
-                last = piece.instance;
-                isHere = makes.isInRange(last);
-                hasLamps = isHere && takesLamps && makes.hasLamps(last);
-            }
-            if (!isHere)
-                continue;
-            const bool isLit = hasLamps && fromOutside;
-            if (!takes(batch.turn, isLit && i >= firstCutOut_ ? frame::Turn::After : run.turn))
-                continue;
-            const bool inSecond =
-                batch.gated && (isWhole || run.gated || isLit || batch.turn == frame::Turn::After);
-            (inSecond ? second_ : part_).push_back({meshOf(piece), number, run.gated && batch.gated});
-            bool& lamps = inSecond ? slots.lampsInSecond : slots.lampsInFirst;
-            lamps = lamps || hasLamps;
+            find(makes.piece(number).instance, run.inRange, takesLamps(batch), makes);
+            const bool isLate = batch.turn == frame::Turn::Before && i >= firstCutOut_ && known_.hasLamps;
+            if (known_.isHere && !isLate)
+                addPiece(batch, number, run.gated, fromOutside, makes, slots);
+            else if (known_.isHere && run.turn == frame::Turn::Before)
+                late_.push_back(number);
         }
     }
+    for (std::size_t i = 0; takesLate && i < late_.size(); ++i) {
+        find(makes.piece(late_[i]).instance, true, true, makes);
+        addPiece(batch, late_[i], true, fromOutside, makes, slots);
+    }
+}
+
+void FastDraws::find(std::uint32_t instance, bool inRange, bool takesLamps, const frame::DrawRecords& makes) {
+    if (instance == known_.number)
+        return;
+    const bool isHere = inRange || makes.isInRange(instance);
+    known_ = {instance, isHere, isHere && takesLamps && makes.hasLamps(instance)};
+}
+
+void FastDraws::addPiece(const frame::Batch& batch, std::uint32_t number, bool gated, bool fromOutside,
+                         const frame::DrawRecords& makes, BatchSlots& slots) {
+    const bool isWhole = batch.program == frame::Program::Blended; // back to front
+    const bool isLit = fromOutside && known_.hasLamps;
+    const bool inSecond = batch.gated && (isWhole || gated || isLit || batch.turn == frame::Turn::After);
+    (inSecond ? second_ : part_).push_back({meshOf(makes.piece(number)), number, gated && batch.gated});
+    bool& lamps = inSecond ? slots.lampsInSecond : slots.lampsInFirst;
+    lamps = lamps || known_.hasLamps;
 }
 
 void FastDraws::addPart(std::vector<Draw>& part, bool anyOrder) {

@@ -43,8 +43,20 @@ private:
     void addPart(std::vector<Draw>& part, bool anyOrder);
     void addRuns(const frame::FramePlan& plan, const frame::Batch& batch, const frame::DrawRecords& makes,
                  BatchSlots& slots);
+    /// Adds a piece of the known instance to one of both parts.
+    void addPiece(const frame::Batch& batch, std::uint32_t number, bool gated, bool fromOutside,
+                  const frame::DrawRecords& makes, BatchSlots& slots);
+    /// Looks an instance up. `inRange`: PieceRun::inRange.
+    void find(std::uint32_t instance, bool inRange, bool takesLamps, const frame::DrawRecords& makes);
 
-    std::uint32_t firstCutOut_ = 0; ///< FrameView::rootFirst: the first run of cut-outs
+    /// The instance that was looked at last: pieces of one instance often follow each other.
+    struct Known {
+        std::uint32_t number = 0xFFFFFFFFu;
+        bool isHere = false, hasLamps = false;
+    };
+    Known known_;
+    std::vector<std::uint32_t> late_; ///< pieces of the root's cut-outs that are drawn after the clearing
+    std::uint32_t firstCutOut_ = 0;   ///< FrameView::rootFirst: the first run of cut-outs
     std::vector<BatchSlots> slots_;
     std::vector<Draw> draws_;               ///< by record
     std::vector<std::uint32_t> commands_;   ///< by slot: its first draw

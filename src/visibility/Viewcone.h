@@ -106,6 +106,10 @@ public:
         const Containment found = classifyInVisit(cones_[visit], sphere);
         return found == Containment::Inside && isCovered(visit, sphere) ? Containment::Partial : found;
     }
+    /// Tests a sphere against the root's region alone, whichever visits are drawn later.
+    [[nodiscard]] Containment classifyInRoot(const SeenSphere& sphere) const {
+        return classifyOnScreen(cones_.front(), sphere);
+    }
     /// Whether a later visit may own a pixel of a sphere that is in the root's zone: one whose region it touches
     /// and whose entry plane it is not in front of.
     [[nodiscard]] bool isCoveredInRoot(const SeenSphere& sphere) const { return isCovered(0, sphere); }

@@ -80,6 +80,18 @@ std::size_t removeFarther(const world::World& world, const Vec3& eye, const worl
     });
 }
 
+/// Whether the eye is in range of every instance of which a range says so.
+bool areInRange(const world::World& world, const frame::Clusters& clusters, const frame::FrameView& frame,
+                std::span<const frame::SelectedRange> ranges) {
+    const world::RangeSteps steps = world::rangeStepsOf(frame.view.eye);
+    for (const frame::SelectedRange& range : ranges)
+        for (std::uint32_t p = range.first; p < range.end; ++p)
+            if (range.inRange &&
+                !world::isInLevelRange(world, world.instances[clusters.order[p]], steps, frame.levels))
+                return false;
+    return true;
+}
+
 /// Gives every second static instance a random level of detail.
 world::World withLevels(world::World world, std::mt19937& random) {
     std::uniform_real_distribution<double> metres(0.0, 60.0);
@@ -119,7 +131,11 @@ void compareViews(const world::World& world, std::uint32_t seed, Tally& tally) {
         selection.select(frame, dynamics, set);
         auto drawn = chosen(world, clusters, dynamics, selection);
         auto expected = selectOneByOne(world, dynamics, frame, set);
-        tally.outOfRange += removeFarther(world, frame.view.eye, frame.levels, drawn);
+        ASSERT_TRUE(areInRange(world, clusters, frame, selection.ranges()))
+            << "seed " << seed << ", view " << view;
+        const std::size_t outOfRange = removeFarther(world, frame.view.eye, frame.levels, drawn);
+        ASSERT_TRUE(outOfRange == 0 || set.visits.size() == 1) << "each is tested";
+        tally.outOfRange += outOfRange;
         tally.expectedOutOfRange += removeFarther(world, frame.view.eye, frame.levels, expected);
         if (set.visits.size() > 1) {
             ASSERT_EQ(drawn, expected) << "seed " << seed << ", view " << view;

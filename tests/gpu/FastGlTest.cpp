@@ -152,6 +152,44 @@ TEST_F(FastGlTest, showsTheSameSurfaces_rootFirst) {
     }
 }
 
+// They are drawn once, after the clearing, for the root and for other visits. The plan has no test for those of the root alone.
+TEST_F(FastGlTest, cutOutsOfTheRootThatLampsLightTakeTheTest_rootFirst) {
+    const auto withLitCutOut = [](bool gated) {
+        SceneBuilder scene = doorway(false);
+        const std::uint32_t cut =
+            scene.addMaterial({1, 1, 1, 1}, scene.addTexture(2, 1, {9, 9, 9, 255, 9, 9, 9, 0}, false));
+        scene.plan.lamps = {{{0, 1, 0, 6}, {0.5f, 0.4f, 0.3f, 0.7f}}};
+        scene.upload.lamps = 1;
+        scene.upload.lampRefs = {0};
+        layout::LightSet lit = scene.upload.lightSets[0];
+        lit.lampCount = 1;
+        scene.upload.lightSets.push_back(lit);
+        const auto set = static_cast<std::uint32_t>(scene.upload.lightSets.size() - 1);
+        scene.addWall('l', {-0.4f, 0.3f}, {1.6f, 0.7f}, 2.1f,
+                      {.members = {{1, set}},
+                       .material = cut,
+                       .program = frame::Program::CutOut,
+                       .gated = gated,
+                       .turn = frame::Turn::Before});
+        scene.addWall('L', {0.5f, -0.9f}, {0.9f, -0.6f}, 1.5f,
+                      {.members = {{1, set}},
+                       .material = cut,
+                       .program = frame::Program::CutOut,
+                       .gated = gated,
+                       .turn = frame::Turn::Before});
+        return scene;
+    };
+    SceneBuilder gated = withLitCutOut(true), ungated = withLitCutOut(false);
+    const Both tested = drawBoth(gated, 64);
+    const frame::FramePlan& plan = ungated.finishRootFirst();
+    Renderer renderer(*device_, fast());
+    ASSERT_TRUE(renderer.upload(ungated.upload));
+    const Frame cleared = renderWith(renderer, plan, 64, 64);
+    EXPECT_EQ(cleared.picture(), tested.exact.picture());
+    EXPECT_NE(std::count(cleared.ids.begin(), cleared.ids.end(), std::uint32_t{'L'}), 0)
+        << "before the opening";
+}
+
 TEST_F(FastGlTest, showsTheSameSamples_rootFirst) {
     for (const bool isShut : {false, true}) {
         SceneBuilder scene = doorway(isShut);

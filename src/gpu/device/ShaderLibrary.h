@@ -34,7 +34,7 @@ struct TextureBinding {
     std::uint32_t pageCount = 0; ///< array pages bound; 0 in bindless mode
     std::vector<std::uint32_t>
         pages{}; ///< pages that the program may sample, ascending; each one has a cost even if unused
-    bool byIndex = false; ///< pages are selected by a variable index (TextureStoreOptions)
+    bool byIndex = false;                ///< pages are selected by a variable index (TextureStoreOptions)
     std::optional<GroundPages> ground{}; ///< of the ground's programs, if each is one page
     bool operator==(const TextureBinding&) const = default;
 };
