@@ -308,8 +308,9 @@ struct TerrainCell {
 };
 
 // The layers of a landcell that exist, in order, packed for drivers that shade one triangle at a time: base, overlays,
-// roads; two a vector. A second road has the texture of the first, so that blending one over the other makes one road of both maps. First word: page of the texture, its array layer << 8, repeats << 24. Second word, 0 for no more
-// layers: page of the blend map, its array layer << 8, and the bits below.
+// roads; two a vector. First word: page of the texture, its array layer << 8, repeats << 24. Second word, 0 for no more
+// layers: page of the blend map, its array layer << 8, and the bits below. A second road has the texture of the first, so that
+// blending one over the other makes one road of both maps.
 //
 // `shown`: for each layer after the base 64 bits, which say in which parts of the cell it shows: kShownParts columns and rows,
 // from the corner where the texture coordinates are 0, in the order of the layers, two words each.

@@ -93,12 +93,12 @@ void FastDraws::prepare(const frame::FramePlan& plan, const RenderOptions& optio
             slots.end = static_cast<std::uint32_t>(commands_.size());
         }
     }
+    LIMEN_ASSERT(late_.empty(), "meshes are drawn after the clearing, with the program of cut-outs");
 }
 
 void FastDraws::addRuns(const frame::FramePlan& plan, const frame::Batch& batch,
                         const frame::DrawRecords& makes, BatchSlots& slots) {
     const bool fromOutside = plan.constants.rootZone == layout::kOutside;
-    const bool takesLate = batch.turn == frame::Turn::After && batch.program == frame::Program::CutOut;
     known_ = {};
     for (std::uint32_t i = batch.first; i < batch.first + batch.count; ++i) {
         const frame::PieceRun& run = plan.runs[i];
@@ -117,10 +117,13 @@ void FastDraws::addRuns(const frame::FramePlan& plan, const frame::Batch& batch,
                 late_.push_back(number);
         }
     }
-    for (std::size_t i = 0; takesLate && i < late_.size(); ++i) {
-        find(makes.piece(late_[i]).instance, true, true, makes);
-        addPiece(batch, late_[i], true, fromOutside, makes, slots);
+    if (batch.turn != frame::Turn::After || batch.program != frame::Program::CutOut)
+        return;
+    for (const std::uint32_t number : late_) {
+        find(makes.piece(number).instance, true, true, makes);
+        addPiece(batch, number, true, fromOutside, makes, slots);
     }
+    late_.clear();
 }
 
 void FastDraws::find(std::uint32_t instance, bool inRange, bool takesLamps, const frame::DrawRecords& makes) {
