@@ -199,6 +199,38 @@ TEST_P(StagedScenes, aSmallerSceneNeedsNoOtherPrograms) {
     }
 }
 
+/// Ground with a base, and with an overlay and its blend map if `hasOverlay`.
+Scene ground(bool hasOverlay) {
+    Scene scene({1, 3, 2}, 1); // the third texture has another size
+    layout::TerrainCell cell;
+    const layout::TerrainLayer none{layout::kNoTexture, layout::kNoTexture, 0, 1.0f};
+    cell.base = {0, layout::kNoTexture, 0, 1.0f};
+    std::fill(std::begin(cell.overlays), std::end(cell.overlays), none);
+    std::fill(std::begin(cell.roads), std::end(cell.roads), none);
+    if (hasOverlay)
+        cell.overlays[0] = {1, 2, 0, 1.0f};
+    scene.builder.upload.terrainCells = {cell};
+    return scene;
+}
+
+// Without a card, the programs of the ground have its pages as constants.
+TEST(StagedGround, withoutMapsOrWithoutGround_needsNoOtherPrograms) {
+    Capabilities capabilities = capabilitiesOf(false);
+    capabilities.software = true;
+    NullDevice device(capabilities);
+    Renderer renderer(device, {.drawing = Drawing::Fast});
+    ASSERT_TRUE(renderer.upload(ground(true).builder.upload));
+    const SceneState before = renderer.state();
+    ASSERT_TRUE(before.bindings->terrain.ground);
+    EXPECT_NE(before.bindings->terrain.ground->colours, before.bindings->terrain.ground->maps);
+    for (const Scene& next : {ground(false), Scene({1}, 1), ground(true)}) {
+        const Result<StagedScene> staged =
+            stageScene(next.builder.upload, renderer.options(), device.capabilities(), before);
+        ASSERT_TRUE(staged);
+        EXPECT_TRUE(staged->bindings == *before.bindings);
+    }
+}
+
 TEST_P(StagedScenes, retiredSceneIsReleasedWhenNoFrameReadsIt) {
     const Scene before({1, 2, 3}, 3), after({3, 5, 8}, 3);
     upload(after);

@@ -105,11 +105,11 @@ layout::TerrainCell withOneRoad(layout::TerrainCell cell) {
     return cell;
 }
 
-/// Whether all pictures are in one page.
-bool haveOnePage(std::span<const std::uint32_t> pictures, std::span<const TextureLocation> locations) {
-    return std::all_of(pictures.begin(), pictures.end(), [&](std::uint32_t picture) {
-        return locations[picture].page == locations[pictures[0]].page;
-    });
+/// Whether a page holds all pictures.
+bool holds(std::uint32_t page, std::span<const std::uint32_t> pictures,
+           std::span<const TextureLocation> locations) {
+    return std::all_of(pictures.begin(), pictures.end(),
+                       [&](std::uint32_t picture) { return locations[picture].page == page; });
 }
 
 } // namespace
@@ -133,11 +133,16 @@ GroundTextures groundTexturesOf(std::span<const layout::TerrainCell> cells) {
 
 std::optional<GroundPages> groundPagesOf(const GroundTextures& ground,
                                          std::span<const TextureLocation> locations) {
-    if (ground.colours.empty() || !haveOnePage(ground.colours, locations) ||
-        !haveOnePage(ground.maps, locations))
+    if (ground.colours.empty())
         return std::nullopt;
     const std::uint32_t colours = locations[ground.colours[0]].page;
-    return GroundPages{colours, ground.maps.empty() ? colours : locations[ground.maps[0]].page};
+    const GroundPages pages{colours, ground.maps.empty() ? colours : locations[ground.maps[0]].page};
+    return areIn(pages, ground, locations) ? std::optional(pages) : std::nullopt;
+}
+
+bool areIn(const GroundPages& pages, const GroundTextures& ground,
+           std::span<const TextureLocation> locations) {
+    return holds(pages.colours, ground.colours, locations) && holds(pages.maps, ground.maps, locations);
 }
 
 std::vector<layout::PackedCell> packTerrain(std::span<const layout::TerrainCell> cells,

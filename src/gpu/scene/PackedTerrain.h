@@ -21,6 +21,10 @@ struct GroundTextures {
 [[nodiscard]] std::optional<GroundPages> groundPagesOf(const GroundTextures& ground,
                                                        std::span<const TextureLocation> locations);
 
+/// Whether these pages hold all textures and all blend maps of the ground.
+[[nodiscard]] bool areIn(const GroundPages& pages, const GroundTextures& ground,
+                         std::span<const TextureLocation> locations);
+
 /// The cells' layers with the places of their textures in the array pages, without the layers that a cell lacks.
 /// `refs`: by texture. `maps`: partsOfMaps(). Requires pages, not handles. Repeats are whole numbers up to 255; others are rounded.
 /// A layer shows in the parts of its map if all layers of the cell have one page for their textures and one for their maps;

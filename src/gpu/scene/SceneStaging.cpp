@@ -12,22 +12,19 @@ namespace {
 
 namespace layout = frame::gpu;
 
-SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures& textures) {
+SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures& textures,
+                         const GroundTextures& ground) {
     std::vector<std::uint32_t> meshes;
     for (const layout::Material& material : upload.materials)
         meshes.push_back(material.texture);
     const frame::SceneDetails& details = upload.details;
     meshes.insert(meshes.end(), {details.exteriors, details.shells});
-    const GroundTextures ground = groundTexturesOf(upload.terrainCells);
     std::vector<std::uint32_t> terrain = ground.colours;
     terrain.insert(terrain.end(), ground.maps.begin(), ground.maps.end());
     terrain.push_back(details.land);
-    SceneBindings bindings{bindingFor(textures, meshes), bindingFor(textures, terrain),
-                           details.exteriors != layout::kNoTexture || details.shells != layout::kNoTexture,
-                           details.land != layout::kNoTexture, upload.defines};
-    if (textures.byIndex)
-        bindings.terrain.ground = groundPagesOf(ground, textures.locations);
-    return bindings;
+    return {bindingFor(textures, meshes), bindingFor(textures, terrain),
+            details.exteriors != layout::kNoTexture || details.shells != layout::kNoTexture,
+            details.land != layout::kNoTexture, upload.defines};
 }
 
 /// Whether the previous pages keep their numbers.
@@ -47,6 +44,15 @@ void include(const TextureBinding& before, TextureBinding& binding) {
     binding.pages = std::move(pages);
 }
 
+/// Keeps the pages of the ground of existing programs, if these can draw the scene otherwise: one without blend maps or without
+/// ground has none of its own.
+void keepGround(const TextureBinding& before, const GroundTextures& ground, const StagedTextures& textures,
+                TextureBinding& binding) {
+    const bool needsOthers = binding.pages != before.pages;
+    if (!needsOthers && (!before.ground || areIn(*before.ground, ground, textures.locations)))
+        binding.ground = before.ground;
+}
+
 } // namespace
 
 Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& options,
@@ -58,17 +64,21 @@ Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& 
     if (!textures)
         return Failure(textures.error());
     StagedScene staged;
-    staged.bindings = bindingsOf(scene, *textures);
+    const GroundTextures ground = groundTexturesOf(scene.terrainCells);
+    staged.bindings = bindingsOf(scene, *textures, ground);
     const DriverChoices choices = driverChoices(options, capabilities);
     staged.packsTerrain = choices.packsTerrain && staged.bindings.terrain.pageCount > 0;
-    if (staged.packsTerrain)
+    if (staged.packsTerrain) {
         staged.blendMaps = partsOfMaps(scene.terrainCells, scene.textures);
+        staged.bindings.terrain.ground = groundPagesOf(ground, textures->locations);
+    }
     staged.bindings.grainedMeshes &= choices.details; // else their programs are built when a frame needs them
     staged.bindings.grainedLand &= choices.details;
     // Programs that can sample unneeded pages exist already; programs without them would have to be built.
     if (before.bindings && !textures->bindless && keepsPageNumbers(before.textures, *textures)) {
         include(before.bindings->meshes, staged.bindings.meshes);
         include(before.bindings->terrain, staged.bindings.terrain);
+        keepGround(before.bindings->terrain, ground, *textures, staged.bindings.terrain);
     }
     scene.textures.clear();
     std::vector<std::uint32_t> shared;
