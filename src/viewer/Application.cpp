@@ -39,6 +39,8 @@ Result<void> Application::frame() {
             return drawn;
     if (wantsPicture_)
         keepPicture();
+    if (window_.isLost()) // its image must not be used any more
+        return {};
     if (world_)
         present();
     else

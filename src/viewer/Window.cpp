@@ -380,7 +380,8 @@ void Window::setTitle(const std::string& title) {
 }
 
 void Window::show() {
-    glfwSwapBuffers(window_);
+    if (!isLost_) // Mesa would free the window's image while its threads still write to it
+        glfwSwapBuffers(window_);
 }
 
 } // namespace limen::viewer

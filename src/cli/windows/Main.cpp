@@ -1,5 +1,6 @@
 #include "cli/Verbs.h"
 #include "cli/windows/ConsoleWindow.h"
+#include "core/platform/CrashReport.h"
 #include "core/platform/Files.h"
 #include "core/platform/windows/Text.h"
 #include "engine/UserFiles.h"
@@ -52,6 +53,7 @@ std::wstring noText(int count, wchar_t** texts) {
 } // namespace
 
 extern "C" int wmain(int count, wchar_t** texts) {
+    limen::platform::reportCrashes("limen");
     std::vector<std::string> arguments;
     for (int i = 0; i < count; ++i)
         arguments.push_back(limen::platform::narrowText(texts[i]));

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace limen::platform {
+
+/// From now on a fault of this process (memory, instruction, arithmetic) writes to stderr the thread and, innermost call first, the
+/// library and the offset of each call. Then the process ends as without this. `program`: its name, which must stay valid.
+/// A fault that something else handles already, as a sanitizer does, is left to it.
+void reportCrashes(const char* program);
+
+} // namespace limen::platform
