@@ -138,7 +138,7 @@ class KeyedWalk(WindowTest):
     def picture(self, view):
         before = view.state["notice"]
         self.hands.tap("F12")
-        view.until(lambda s: s["notice"] not in ("", before), "a picture", 20)
+        view.until(lambda s: s["notice"] not in ("", before), "a picture")  # a key takes many frames at a load: 330 a second are drawn
 
     def test_from_the_cellar_to_the_balcony_and_back_in_the_rain(self):
         points = self.way()
@@ -171,7 +171,7 @@ class KeyedWalk(WindowTest):
             self.assertEqual(view.state["root"], "outside")
             self.assertGreater(view.state["eye"][2], points[inn][2] + 1.0)
             self.hands.tap("r")
-            view.until(lambda s: s["weather"] == "rain", "rain", 20)
+            view.until(lambda s: s["weather"] == "rain", "rain")
             self.picture(view)
             self.walk(view, points[inn:][::-1])
             self.hands.key("Shift_L", True)
