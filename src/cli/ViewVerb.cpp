@@ -95,6 +95,8 @@ Result<void> loop(viewer::Window& window, viewer::Application& application, view
         }
         if (Result<void> drawn = application.frame(); !drawn)
             return drawn;
+        if (window.isLost()) // Mesa would free the window's image while its threads still write to it
+            return {};
         ++frames;
         printNotes(application, console);
         if (application.world() != nullptr && !application.world()->probed().empty())

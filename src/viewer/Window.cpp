@@ -380,8 +380,7 @@ void Window::setTitle(const std::string& title) {
 }
 
 void Window::show() {
-    if (!isLost_) // Mesa would free the window's image while its threads still write to it
-        glfwSwapBuffers(window_);
+    glfwSwapBuffers(window_);
 }
 
 } // namespace limen::viewer

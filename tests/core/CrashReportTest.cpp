@@ -3,15 +3,21 @@
 #include <csignal>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <string>
+#include <thread>
 #include <unistd.h>
 
 namespace limen::platform {
 namespace {
 
-void crash(int signal) {
+void prepare() {
     for (const int handled : {SIGSEGV, SIGFPE})
         std::signal(handled, SIG_DFL);
     reportCrashes("a-program");
+}
+
+void crash(int signal) {
+    prepare();
     std::raise(signal);
 }
 
@@ -22,6 +28,20 @@ TEST(CrashReportDeathTest, namesTheSignalTheThreadAndTheCallsAndEndsByTheSignal)
                 "a-program: calls\n"
                 "(.*\n)*  /.*core_tests\\+0x[0-9a-f]+\n");
     EXPECT_EXIT(crash(SIGFPE), ::testing::KilledBySignal(SIGFPE), "a-program: crashed by signal 8");
+}
+
+TEST(CrashReportDeathTest, reportsOneOfSeveralThreadsThatCrashTogether) {
+    const auto crashTwice = [] {
+        prepare();
+        std::thread other([] { std::raise(SIGSEGV); });
+        std::raise(SIGSEGV);
+        other.join();
+    };
+    const std::string once = "a-program: crashed by";
+    EXPECT_EXIT(crashTwice(), ::testing::KilledBySignal(SIGSEGV),
+                ::testing::Truly([&](const std::string& text) {
+                    return text.find(once) != std::string::npos && text.find(once) == text.rfind(once);
+                }));
 }
 
 TEST(CrashReportDeathTest, leavesAFaultToTheHandlerThatIsThere) {

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <dlfcn.h>
 #include <execinfo.h>
-#include <initializer_list>
 #include <sys/prctl.h>
 #include <ucontext.h>
 #include <unistd.h>
@@ -21,6 +20,10 @@ namespace {
 // A handler of signals has no argument through which it could reach an object.
 constinit const char* crashingProgram = nullptr;
 constinit std::atomic<bool> isReporting{false};
+
+constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGILL, SIGFPE};
+constexpr unsigned kLongest =
+    10; ///< seconds; a call of the report may wait for a lock of the thread that crashed
 
 template <typename... Values>
 void printLine(const char* format, Values... values) {
@@ -51,11 +54,12 @@ const void* placeOf([[maybe_unused]] const void* context) {
 #endif
 }
 
-/// Not all that it calls is allowed in a handler. A second fault of this thread ends the process, and the first lines are written
-/// by then. Another thread that faults meanwhile waits for the end.
+/// Not all that it calls is allowed in a handler. Faults are blocked in it, so a second one of this thread ends the process, and the
+/// first lines are written by then. Another thread that faults meanwhile waits for the end.
 void onCrash(int signal, siginfo_t* info, void* context) {
     while (isReporting.exchange(true))
         ::pause();
+    ::alarm(kLongest);
     std::array<char, 16> thread{};
     ::prctl(PR_GET_NAME, thread.data());
     printLine("%s: crashed by signal %d at address %p in thread %s; please report these lines\n",
@@ -76,15 +80,16 @@ void reportCrashes(const char* program) {
     crashingProgram = program;
     std::array<void*, 1> first{};
     ::backtrace(first.data(), 1); // a handler should not load libraries
-    for (const int signal : {SIGSEGV, SIGBUS, SIGILL, SIGFPE}) {
+    struct sigaction action {};
+    action.sa_sigaction = onCrash;
+    action.sa_flags = SA_SIGINFO;
+    ::sigemptyset(&action.sa_mask);
+    for (const int signal : kFaults)
+        ::sigaddset(&action.sa_mask, signal);
+    for (const int signal : kFaults) {
         struct sigaction before {};
-        if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL)
-            continue;
-        struct sigaction action {};
-        action.sa_sigaction = onCrash;
-        action.sa_flags = SA_SIGINFO;
-        ::sigemptyset(&action.sa_mask);
-        ::sigaction(signal, &action, nullptr);
+        if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
+            ::sigaction(signal, &action, nullptr);
     }
 }
 
