@@ -44,6 +44,21 @@ TEST(CrashReportDeathTest, reportsOneOfSeveralThreadsThatCrashTogether) {
                 }));
 }
 
+int recurse(int depth) {
+    const volatile char room[4096]{};
+    return depth < 0 ? 0 : recurse(depth + 1) + room[0];
+}
+
+TEST(CrashReportDeathTest, reportsAnExhaustedStackOfTheThreadThatAskedForReports) {
+    const auto exhaust = [] {
+        prepare();
+        ::_exit(recurse(0));
+    };
+    EXPECT_EXIT(exhaust(), ::testing::KilledBySignal(SIGSEGV),
+                "a-program: crashed by signal 11 at address .*\n"
+                "  /.*core_tests\\+0x[0-9a-f]+\n");
+}
+
 TEST(CrashReportDeathTest, leavesAFaultToTheHandlerThatIsThere) {
     const auto crashHandled = [] {
         std::signal(SIGSEGV, [](int) { ::_exit(9); });

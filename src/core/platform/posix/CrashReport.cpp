@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <dlfcn.h>
@@ -20,6 +21,9 @@ namespace {
 // A handler of signals has no argument through which it could reach an object.
 constinit const char* crashingProgram = nullptr;
 constinit std::atomic<bool> isReporting{false};
+
+/// The handler's stack in the thread that called reportCrashes: the fault may be that its own is exhausted.
+constinit std::array<std::byte, 64 * 1024> handlerStack{};
 
 constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGILL, SIGFPE};
 constexpr unsigned kLongest =
@@ -80,9 +84,11 @@ void reportCrashes(const char* program) {
     crashingProgram = program;
     std::array<void*, 1> first{};
     ::backtrace(first.data(), 1); // a handler should not load libraries
+    const stack_t stack{.ss_sp = handlerStack.data(), .ss_flags = 0, .ss_size = handlerStack.size()};
+    ::sigaltstack(&stack, nullptr);
     struct sigaction action {};
     action.sa_sigaction = onCrash;
-    action.sa_flags = SA_SIGINFO;
+    action.sa_flags = SA_SIGINFO | SA_ONSTACK;
     ::sigemptyset(&action.sa_mask);
     for (const int signal : kFaults)
         ::sigaddset(&action.sa_mask, signal);
