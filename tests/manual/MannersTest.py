@@ -36,8 +36,9 @@ class Manners(unittest.TestCase):
         return subprocess.Popen([PROGRAM, *arguments], cwd=self.work, env=ENVIRONMENT, text=True,
                                 **{"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **streams})
 
-    def on_terminal(self, *arguments, seconds=60, until=None):
-        """Standard error on a terminal: the exit code and the text. Sends SIGINT when `until` appears."""
+    def on_terminal(self, *arguments, seconds=240, until=None):
+        """Standard error on a terminal: the exit code and the text. Sends SIGINT when `until` appears. `seconds` only ends a
+        test of a program that hangs: beside three other programs the map has taken 61 s."""
         ours, theirs = pty.openpty()
         process = self.start(*arguments, stdout=subprocess.DEVNULL, stderr=theirs)
         os.close(theirs)
