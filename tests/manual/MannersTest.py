@@ -38,7 +38,7 @@ class Manners(unittest.TestCase):
 
     def on_terminal(self, *arguments, seconds=240, until=None):
         """Standard error on a terminal: the exit code and the text. Sends SIGINT when `until` appears. `seconds` only ends a
-        test of a program that hangs: beside three other programs the map has taken 61 s."""
+        test of a program that hangs: beside three other programs the map has taken a minute."""
         ours, theirs = pty.openpty()
         process = self.start(*arguments, stdout=subprocess.DEVNULL, stderr=theirs)
         os.close(theirs)

@@ -85,7 +85,9 @@ void reportCrashes(const char* program) {
     std::array<void*, 1> first{};
     ::backtrace(first.data(), 1); // a handler should not load libraries
     const stack_t stack{.ss_sp = handlerStack.data(), .ss_flags = 0, .ss_size = handlerStack.size()};
-    ::sigaltstack(&stack, nullptr);
+    stack_t present{};
+    if (::sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) != 0)
+        ::sigaltstack(&stack, nullptr);
     struct sigaction action {};
     action.sa_sigaction = onCrash;
     action.sa_flags = SA_SIGINFO | SA_ONSTACK;
