@@ -1,6 +1,7 @@
 // Transparent surfaces of the fast way of drawing; blended as by blended.frag. Out: premultiplied colour.
 #include "textures.glsl"
 #include "fastgate.glsl"
+#include "eyeplane.glsl"
 #define LOOK in
 #include "fastlook.glsl"
 #include "fastlit.glsl"
@@ -8,6 +9,7 @@
 layout(location = kOutputBlended) out vec4 outColour;
 
 void main() {
+    bool inPlane = isInEyesPlane();
     vec4 texel = texelsAt(vTexture, vUv);
     float alpha = texel.a * vAlpha.x + vAlpha.y;
 #ifdef GATED
@@ -15,7 +17,7 @@ void main() {
         discard;
     }
 #endif
-    if (alpha < vAlpha.z || alpha >= vAlpha.w) {
+    if (alpha < vAlpha.z || alpha >= vAlpha.w || inPlane) {
         discard;
     }
     outColour = vec4(litColour(texel.rgb) * alpha, alpha * vCover);

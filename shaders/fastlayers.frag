@@ -1,5 +1,6 @@
 // Counts the surfaces of the transparent stage, as layers.frag does, for the fast way of drawing.
 #include "fastgate.glsl"
+#include "eyeplane.glsl"
 #include "layers.glsl"
 #define LOOK in
 #include "fastlook.glsl"
@@ -7,6 +8,9 @@
 layout(location = kOutputBlended) out vec4 outLayers;
 
 void main() {
+    if (isInEyesPlane()) {
+        discard;
+    }
 #ifdef GATED
     if (!isSeen(vMembers)) {
         discard;

@@ -33,15 +33,30 @@ Json worstJson(const Totals& totals, const std::string& worldOptions) {
     return worst;
 }
 
+/// Appends ", 3 wrong_ids" to a list, or "3 wrong_ids" to an empty one; nothing for a count of 0.
+void addCause(std::uint64_t count, std::string_view name, std::string& list) {
+    if (count > 0)
+        list += fmt::format("{}{} {}", list.empty() ? "" : ", ", count, name);
+}
+
 /// "3 wrong_ids, 1 depth".
 std::string causesOf(const Finding& finding) {
     std::string text;
     for (std::size_t i = 0; i < kVerdictCount; ++i)
-        if (isFinding(static_cast<Verdict>(i)) && finding.counts[i] > 0)
-            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", finding.counts[i], kVerdictNames[i]);
-    if (finding.moved > 0)
-        text += fmt::format("{}{} moved", text.empty() ? "" : ", ", finding.moved);
+        if (isFinding(static_cast<Verdict>(i)))
+            addCause(finding.counts[i], kVerdictNames[i], text);
+    addCause(finding.moved, "moved", text);
     return text;
+}
+
+/// The findings whose ids agree: ", 3 more are wrong (2 depth, 1 layers)"; empty if there are none.
+std::string wrongBesideIds(const KindTotals& all) {
+    std::string causes;
+    for (const Verdict verdict : {Verdict::Depth, Verdict::Layers})
+        addCause(all.count(verdict), kVerdictNames[static_cast<std::size_t>(verdict)], causes);
+    addCause(all.moved, "moved", causes);
+    const std::uint64_t more = all.findings() - all.disagreeing();
+    return more == 0 ? "" : fmt::format(", {} more {} wrong ({})", more, more == 1 ? "is" : "are", causes);
 }
 
 double viewsPerSecond(const Totals& totals) {
@@ -105,11 +120,12 @@ std::string reportText(const Totals& totals, const ReportContext& context) {
                             nameOf(finding.view.kind), finding.view.about.empty() ? "" : ", ",
                             finding.view.about, shotCommand(finding.view, context.worldOptions));
     }
-    text += fmt::format("{} of {} pixels disagree ({} of them void) in {} of {} views; {:.1f} views a second "
-                        "({:.1f} s drawing, {:.1f} s tracing, side by side), seed {}, pictures {:016x}\n",
-                        all.disagreeing(), all.pixels, all.count(Verdict::Void), totals.viewsWithFindings,
-                        all.views, viewsPerSecond(totals), totals.drawSeconds, totals.traceSeconds,
-                        context.seed, totals.pictures);
+    text +=
+        fmt::format("{} of {} pixels disagree ({} of them void){} in {} of {} views; {:.1f} views a second "
+                    "({:.1f} s drawing, {:.1f} s tracing, side by side), seed {}, pictures {:016x}\n",
+                    all.disagreeing(), all.pixels, all.count(Verdict::Void), wrongBesideIds(all),
+                    totals.viewsWithFindings, all.views, viewsPerSecond(totals), totals.drawSeconds,
+                    totals.traceSeconds, context.seed, totals.pictures);
     return text;
 }
 

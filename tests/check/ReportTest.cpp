@@ -104,7 +104,18 @@ TEST(Report, textNamesEveryCategoryAndTheCommands) {
         EXPECT_TRUE(name == "agrees" || text.find(name) != std::string::npos) << name;
     EXPECT_THAT(text, HasSubstr("limen shot --eye=3,"));
     EXPECT_THAT(text, HasSubstr("--root=outside"));
-    EXPECT_THAT(text, HasSubstr("15 of 400 pixels disagree (9 of them void)"));
+    EXPECT_THAT(text, HasSubstr("15 of 400 pixels disagree (9 of them void) in "));
+}
+
+TEST(Report, theLastLineCountsPixelsThatAreWrongWithTheRightId) {
+    Totals totals;
+    totals.add(viewWith(ViewKind::Random, 1), 0, comparisonWith(Verdict::Layers, 7), 0);
+    EXPECT_THAT(
+        reportText(totals, {}),
+        HasSubstr("0 of 100 pixels disagree (0 of them void), 7 more are wrong (7 layers) in 1 of 1 views"));
+    totals.add(viewWith(ViewKind::Random, 2), 1, comparisonWith(Verdict::Depth, 1), 2);
+    EXPECT_THAT(reportText(totals, {}),
+                HasSubstr(", 10 more are wrong (1 depth, 7 layers, 2 moved) in 2 of 2 views"));
 }
 
 TEST(Resume, aStateComesBackAsItWas) {

@@ -1,4 +1,5 @@
 #include "GlFixture.h"
+#include "geometry/Tolerances.h"
 #include "gpu/device/NullDevice.h"
 
 #include <cstring>
@@ -356,6 +357,57 @@ TEST_F(FastGlTest, countsTheSameLayers) {
     EXPECT_GT(std::count_if(both.fast.layers.begin(), both.fast.layers.end(),
                             [](const LayerSum& sum) { return sum.count > 0; }),
               0);
+}
+
+/// An upright pane through the eye's place moved by `height` metres, 20 degrees to `turn` of north, 3 m long and 2 m high.
+SceneBuilder paneAtTheEye(float turn, float height) {
+    SceneBuilder scene;
+    scene.plan.constants.nearPlane = scene.plan.constants.clipFromEye[3][2] =
+        static_cast<float>(kDefaultNearPlane);
+    const std::uint32_t glass =
+        scene.addMaterial({1, 0, 0, 0.5f}, layout::kNoTexture, layout::kMaterialAlpha);
+    scene.root(1);
+    scene.addWall('A', {-10, -10}, {10, 10}, 10, {.members = {{1, 0}}});
+    const float along = glm::radians(turn);
+    const auto corner = [&](float metres, float z) {
+        return glm::vec3{metres * std::sin(along) + height * std::cos(along),
+                         metres * std::cos(along) - height * std::sin(along), z};
+    };
+    const std::array<glm::vec3, 4> front{corner(2, -0.8f), corner(-1, -0.8f), corner(-1, 1.2f),
+                                         corner(2, 1.2f)};
+    for (const auto& side : {front, {front[3], front[2], front[1], front[0]}})
+        scene.addQuad('p', side,
+                      {.members = {{1, 0}}, .material = glass, .program = frame::Program::Blended});
+    return scene;
+}
+
+// docs/ray-rule.md#tolerances: no ray meets a surface in whose plane the eye is. One triangle of a pane covered a third of the picture.
+TEST_F(FastGlTest, aPaneInTheEyesPlaneIsNotDrawn) {
+    for (const float turn : {-61.0f, -34.0f, -7.0f, 3.0f, 20.0f, 45.0f, 58.0f}) {
+        for (const float height : {-3e-7f, -1e-7f, 0.0f, 1e-7f, 3e-7f}) {
+            SceneBuilder scene = paneAtTheEye(turn, height);
+            const Both both = drawBoth(scene, 64, {.wantLayers = true});
+            const auto pixels = [](const Frame& frame) {
+                return std::count_if(frame.layers.begin(), frame.layers.end(),
+                                     [](const LayerSum& sum) { return sum.count > 0; });
+            };
+            EXPECT_EQ(pixels(both.exact), 0) << turn << " degrees, " << height << " m";
+            EXPECT_EQ(pixels(both.fast), 0) << turn << " degrees, " << height << " m";
+            EXPECT_LE(difference(both.fast, both.exact), 1) << turn << " degrees, " << height << " m";
+        }
+        std::int64_t met = 0;
+        for (const float height : {-2e-6f, 2e-6f, -1e-3f, 1e-3f}) {
+            SceneBuilder scene = paneAtTheEye(turn, height);
+            const Both both = drawBoth(scene, 64, {.wantLayers = true});
+            std::int64_t unlike = 0;
+            for (std::size_t i = 0; i < both.exact.layers.size(); ++i) {
+                unlike += both.exact.layers[i] == both.fast.layers[i] ? 0 : 1;
+                met += both.exact.layers[i].count > 0 ? 1 : 0;
+            }
+            EXPECT_LE(unlike, 64) << turn << " degrees, " << height << " m: a column of pixels";
+        }
+        EXPECT_GT(met, 1000) << turn << " degrees";
+    }
 }
 
 TEST_F(FastGlTest, blendsTerrain_withPackedLayersAndWithout) {
