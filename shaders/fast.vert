@@ -22,6 +22,7 @@ layout(location = kAttributeMembers) in uvec4 inMembers;
 
 invariant gl_Position;
 #include "clip.glsl"
+#include "wide.glsl"
 #define LOOK out
 #include "fastlook.glsl"
 #include "fastmaterial.glsl"
@@ -134,6 +135,7 @@ void main() {
     gl_Position.z *= (frame.flags & kFrameRootFirst) != 0u ? kBehindRoot : 1.0;
 #endif
     clipBy(uint(inOffsetRest.w));
+    gl_Position = widened(gl_Position);
 #ifdef TERRAIN
     Look look = lookOf(eyeRelative, vec3(1.0), 0.0, 1.0);
     vTimes = look.times;

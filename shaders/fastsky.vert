@@ -5,6 +5,7 @@
 #define SKY
 #include "skylight.glsl"
 #include "clip.glsl"
+#include "wide.glsl"
 
 layout(location = kAttributePosition) in vec3 inPosition;
 layout(location = kAttributeNormal) in vec4 inNormal;
@@ -20,6 +21,7 @@ void main() {
     Material material = materialAt(materialRefAt(object.firstMaterial + (inPolygonSurface >> 16)));
     gl_Position = skyPosition(object, inPosition);
     clipBy(object.clipSet);
+    gl_Position = widened(gl_Position);
     vUv = inUv + vec2(object.uvOffsetX, object.uvOffsetY);
     setTexture(material, Look(material.colour.rgb * skyLight(object, material, inNormal.xyz), vec3(0.0)));
     vAlpha = blendedAlpha(material, object.opacity, kAllAlpha);

@@ -6,6 +6,9 @@
 // Depth is 0 (infinitely far) for every corner: a ray passes a portal at any distance, so neither the near nor the far
 // plane may clip it, and the stage has no depth buffer. The only remaining clipping is at w = 0, the eye's plane.
 #include "transform.glsl"
+#ifdef FAST
+#include "wide.glsl"
+#endif
 
 invariant gl_Position;
 layout(location = kVaryingVisit) flat out uint vVisit;
@@ -100,21 +103,25 @@ void main() {
         plane = planeOfVisit(corner.visit);
     }
     vPlane = plane;
-    vCovers = (corner.outlineCount & kCoverWindow) != 0u ? 1u : 0u;
+    bool covers = (corner.outlineCount & kCoverWindow) != 0u;
+    vCovers = covers ? 1u : 0u;
+    bool isOnScreen = false;
 #ifdef FAST
     vClip = clipOf(corner);
-    if ((corner.outlineCount & kOnScreen) != 0u) {
-        gl_Position = vec4(corner.position.xy, 0.0, corner.position.z);
-        return;
-    }
+    isOnScreen = (corner.outlineCount & kOnScreen) != 0u;
 #endif
-    if (vCovers != 0u) {
+    if (isOnScreen) {
+        gl_Position = vec4(corner.position.xy, 0.0, corner.position.z);
+    } else if (covers) {
         gl_Position = everywhere(min(part, 3u));
-        return;
-    }
-    vec4 clip = clipFromEye(eyeFromBlock(corner.position, corner.rest, corner.block));
-    gl_Position = vec4(clip.xy, 0.0, clip.w);
+    } else {
+        vec4 clip = clipFromEye(eyeFromBlock(corner.position, corner.rest, corner.block));
+        gl_Position = vec4(clip.xy, 0.0, clip.w);
 #ifdef EXACT
-    drawLarger(part);
+        drawLarger(part);
+#endif
+    }
+#ifdef FAST
+    gl_Position = widened(gl_Position);
 #endif
 }

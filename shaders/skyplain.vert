@@ -3,6 +3,9 @@
 // CLEARING: for clearing.frag, with the depth of a pixel without a surface.
 #include "buffers.glsl"
 #include "clip.glsl"
+#ifdef FAST
+#include "wide.glsl"
+#endif
 
 layout(location = kVaryingDirection) out vec3 vDirection;
 
@@ -30,4 +33,7 @@ void main() {
     gl_Position = vec4(corner, kSkyDepth, 1.0);
 #endif
     clipBy(uint(gl_VertexID) / 3u);
+#ifdef FAST
+    gl_Position = widened(gl_Position);
+#endif
 }

@@ -146,6 +146,8 @@ LIMEN_CONST kFrameRootFirst =
 // DeviceConstants.flags
 LIMEN_CONST kFrameStaticIndices = 2u; // draws use the static indices, uncompacted
 LIMEN_CONST kFrameSplits = 4u;        // nearly opaque texels of kMaterialSplit surfaces are drawn as cut-outs
+LIMEN_CONST kFrameWide = 32u;         // the viewport is twice as wide as the picture, with the same middle
+LIMEN_CONST kFrameHigh = 64u;         // twice as high
 
 // Material.flags
 LIMEN_CONST kMaterialClamp = 1u;
@@ -193,7 +195,7 @@ LIMEN_STRUCT(DeviceConstants) {
         LIMEN_ZERO; // xyz: eye-relative, where the view depth is one metre: the window's lower left corner,
     vec4 rayRight LIMEN_ZERO; // and the steps of one pixel
     vec4 rayUp LIMEN_ZERO;
-    uint flags LIMEN_ZERO;  // kFrameStaticIndices, kFrameSplits
+    uint flags LIMEN_ZERO;  // kFrameStaticIndices, kFrameSplits, kFrameWide, kFrameHigh
     float pixel LIMEN_ZERO; // metres that a pixel covers at a view depth of one metre
     uint samplesX
         LIMEN_ZERO; // sample positions of a multisampled target, a byte each: 1/256 of a pixel from the pixel's

@@ -147,8 +147,11 @@ Result<gpu::RenderTarget*> Session::fitTarget(PixelSize size, const DrawOptions&
         return &*target;
     shown_ = nullptr;
     target.reset(); // frees its memory before the new target is made
-    Result<gpu::RenderTarget> made = gpu::RenderTarget::create(
-        drawnOn(), size.width, size.height, {.layers = layers, .samples = multisampled ? samples() : 0});
+    Result<gpu::RenderTarget> made =
+        gpu::RenderTarget::create(drawnOn(), size.width, size.height,
+                                  {.layers = layers,
+                                   .wide = options_.drawing == gpu::Drawing::Fast,
+                                   .samples = multisampled ? samples() : 0});
     if (!made)
         return Failure(made.error());
     target.emplace(std::move(*made));
@@ -185,7 +188,9 @@ Result<void> Session::draw(const FrameRequest& request, const DrawOptions& optio
 }
 
 Result<gpu::RenderTarget> Session::makeTile(std::uint32_t width, std::uint32_t height) {
-    return gpu::RenderTarget::create(drawnOn(), width, height, {.samples = samples() > 1 ? samples() : 0});
+    return gpu::RenderTarget::create(
+        drawnOn(), width, height,
+        {.wide = options_.drawing == gpu::Drawing::Fast, .samples = samples() > 1 ? samples() : 0});
 }
 
 Result<void> Session::drawTile(const FrameRequest& request, gpu::RenderTarget& tile) {

@@ -306,10 +306,18 @@ const BatchSlots& Renderer::slotsOf(std::size_t batch) const {
     return isFast() ? fast_->slotsOf(batch) : culling_->slotsOf(batch);
 }
 
+Viewport Renderer::viewportOf(const RenderTarget& target) const {
+    const Viewport picture = target.viewport();
+    return isFast() && target.options().wide ? picture.doubled(device_->capabilities().maxViewport) : picture;
+}
+
 void Renderer::writeRing(const frame::FramePlan& plan, const FrameRing& ring, const RenderOptions& options,
                          const RenderTarget& target, std::span<std::byte> memory) {
     layout::DeviceConstants constants;
     target.place(plan.constants, constants);
+    const Viewport drawn = viewportOf(target), picture = target.viewport();
+    constants.flags |= (drawn.width > picture.width ? layout::kFrameWide : 0) |
+                       (drawn.height > picture.height ? layout::kFrameHigh : 0);
     ring.locate(constants);
     if (!isFast())
         culling_->describe(constants);
@@ -450,7 +458,7 @@ Result<void> Renderer::render(const frame::FramePlan& plan, RenderTarget& target
     // In every frame, because another renderer may have drawn since.
     device_->setGeometry(scene_->vertices(), indicesFor(options));
     device_->setCulling(kind.cullsBackFaces());
-    const std::span<std::byte> memory = device_->beginFrame(target.handle(), target.viewport());
+    const std::span<std::byte> memory = device_->beginFrame(target.handle(), viewportOf(target));
     writeRing(plan, ring, options, target, memory);
     bindAll(ring, isFast() && !kind.multisampled);
     clearTarget(plan, kind);

@@ -90,6 +90,8 @@ private:
                                              const RenderTarget& target);
     [[nodiscard]] const BatchSlots& slotsOf(std::size_t batch) const;
     /// Writes a frame's arrays into its ring memory.
+    /// Of the target, or around it (wide.glsl).
+    [[nodiscard]] Viewport viewportOf(const RenderTarget& target) const;
     void writeRing(const frame::FramePlan& plan, const FrameRing& ring, const RenderOptions& options,
                    const RenderTarget& target, std::span<std::byte> memory);
     void bindAll(const FrameRing& ring, bool withDrawn);

@@ -37,8 +37,8 @@ protected:
         Renderer real(*device_, fast()), recorded(null, fast());
         EXPECT_TRUE(real.upload(scene));
         EXPECT_TRUE(recorded.upload(scene));
-        Result<RenderTarget> target = RenderTarget::create(*device_, 8, 8),
-                             nullTarget = RenderTarget::create(null, 8, 8);
+        Result<RenderTarget> target = RenderTarget::create(*device_, 8, 8, {.wide = true}),
+                             nullTarget = RenderTarget::create(null, 8, 8, {.wide = true});
         std::set<std::uint32_t> counts;
         for (int i = 0; i < 4; ++i) {
             EXPECT_TRUE(real.render(plan, *target, options));
@@ -357,6 +357,72 @@ TEST_F(FastGlTest, countsTheSameLayers) {
     EXPECT_GT(std::count_if(both.fast.layers.begin(), both.fast.layers.end(),
                             [](const LayerSum& sum) { return sum.count > 0; }),
               0);
+}
+
+// Decision 221. Corners of clipped triangles are other ones, but this scene has none at the picture's border.
+TEST_F(FastGlTest, aWideViewportShowsTheSame_andTooLargeOnesAreNotWide) {
+    SceneBuilder scene = rooms();
+    const frame::FramePlan& plan = scene.finish();
+    Renderer renderer(*device_, fast());
+    ASSERT_TRUE(renderer.upload(scene.upload));
+    std::vector<std::vector<std::uint8_t>> colours;
+    std::vector<std::vector<std::uint32_t>> ids;
+    for (const bool wide : {false, true}) {
+        for (const std::uint32_t size : {33u, 64u}) {
+            Result<RenderTarget> target = RenderTarget::create(*device_, size, size, {.wide = wide});
+            ASSERT_TRUE(target);
+            ASSERT_TRUE(renderer.render(plan, *target, {}));
+            colours.push_back(target->readColour());
+            ids.push_back(target->readIds());
+        }
+    }
+    for (const std::size_t i : {0u, 1u}) {
+        EXPECT_EQ(colours[i], colours[i + 2]);
+        EXPECT_EQ(ids[i], ids[i + 2]);
+    }
+    const Viewport picture{-3, 0, 640, 360}, doubled{-323, -180, 1280, 720};
+    EXPECT_EQ(picture.doubled(1280), doubled);
+    EXPECT_EQ(picture.doubled(1279).width, 640u) << "too large";
+    EXPECT_EQ((Viewport{0, 0, 33, 20}.doubled(4096)), (Viewport{0, -10, 33, 40}))
+        << "an odd side has no middle";
+}
+
+// The eye is micrometres before a wall that reaches far to both sides. In a viewport of the picture's size, columns at its border are void.
+TEST_F(FastGlTest, aWallAtTheEyeReachesTheBorders) {
+    std::int64_t walls = 0;
+    for (const float turn : {-34.0f, -7.0f, 3.0f, 11.0f, 20.0f, 27.0f, 31.0f}) {
+        for (const float height : {1e-6f, 1.5e-6f, 2e-6f, 3e-6f}) {
+            SceneBuilder scene;
+            scene.plan.constants.nearPlane = scene.plan.constants.clipFromEye[3][2] =
+                static_cast<float>(kDefaultNearPlane);
+            scene.root(1);
+            scene.addWall('A', {-30, -30}, {30, 30}, 20, {.members = {{1, 0}}});
+            const float along = glm::radians(turn);
+            const auto corner = [&](float metres, float z) {
+                return glm::vec3{metres * std::sin(along) + height * std::cos(along),
+                                 metres * std::cos(along) - height * std::sin(along), z};
+            };
+            const std::array<glm::vec3, 4> front{corner(7, -3), corner(-5, -3), corner(-5, 3), corner(7, 3)};
+            for (const auto& side : {front, {front[3], front[2], front[1], front[0]}})
+                scene.addQuad('W', side, {.members = {{1, 0}}});
+            const Both both = drawBoth(scene, 64);
+            std::int64_t unlike = 0;
+            for (std::size_t i = 0; i < both.exact.ids.size(); ++i) {
+                unlike += both.exact.ids[i] == both.fast.ids[i] ? 0 : 1;
+                walls += both.exact.ids[i] == 'W' ? 1 : 0;
+            }
+            EXPECT_LE(unlike, 64) << turn << " degrees, " << height << " m: a column where the wall begins";
+            EXPECT_EQ(std::count(both.fast.ids.begin(), both.fast.ids.end(), layout::kVoidId) +
+                          std::count(both.fast.ids.begin(), both.fast.ids.end(), layout::kSkyId),
+                      0)
+                << turn << " degrees, " << height << " m";
+            for (std::size_t row = 0; row < 64; ++row)
+                for (const std::size_t column : {0u, 63u})
+                    EXPECT_EQ(both.fast.ids[row * 64 + column], both.exact.ids[row * 64 + column])
+                        << turn << " degrees, " << height << " m, row " << row;
+        }
+    }
+    EXPECT_GT(walls, 20000);
 }
 
 /// An upright pane through the eye's place moved by `height` metres, 20 degrees to `turn` of north, 3 m long and 2 m high.

@@ -30,8 +30,9 @@ Frame GlTest::render(SceneBuilder& scene, std::uint32_t size, const RendererOpti
 
 Frame GlTest::renderWith(Renderer& renderer, const frame::FramePlan& plan, std::uint32_t width,
                          std::uint32_t height, const RenderOptions& options) {
-    Result<RenderTarget> target =
-        RenderTarget::create(*device_, width, height, {.layers = options.wantLayers});
+    Result<RenderTarget> target = RenderTarget::create(
+        *device_, width, height,
+        {.layers = options.wantLayers, .wide = renderer.options().drawing == Drawing::Fast});
     EXPECT_TRUE(target) << target.error().message();
     const Result<void> rendered = renderer.render(plan, *target, options);
     EXPECT_TRUE(rendered) << rendered.error().message();

@@ -40,16 +40,38 @@ struct Viewport {
     std::int32_t x = 0, y = 0;
     std::uint32_t width = 0, height = 0;
     friend bool operator==(const Viewport&, const Viewport&) = default;
+    /// Twice the size around the same middle. A side with an odd number of pixels, or more than half of `most`, stays.
+    [[nodiscard]] constexpr Viewport doubled(std::uint32_t most) const {
+        Viewport wide = *this;
+        if (width % 2 == 0 && width <= most / 2) {
+            wide.x -= static_cast<std::int32_t>(width / 2);
+            wide.width *= 2;
+        }
+        if (height % 2 == 0 && height <= most / 2) {
+            wide.y -= static_cast<std::int32_t>(height / 2);
+            wide.height *= 2;
+        }
+        return wide;
+    }
 };
 
 /// Options of a render target beside colour, ids, depth and ownership.
 struct TargetOptions {
     bool layers = false; ///< with an image for counting transparent layers
+    bool wide = false;   ///< the fast way of drawing uses Viewport::doubled
     /// Samples per pixel: frame::gpu::kSamples, or 0 for one. A multisampled target has no ids and no layers,
     /// its colour is read resolved, and its depth and ownership cannot be read.
     std::uint32_t samples = 0;
     friend bool operator==(const TargetOptions&, const TargetOptions&) = default;
 };
+
+/// Set when a target is made, so that its first frame makes the same calls as later ones.
+[[nodiscard]] constexpr Viewport firstViewport(std::uint32_t width, std::uint32_t height,
+                                               const TargetOptions& options,
+                                               const Capabilities& capabilities) {
+    const Viewport picture{0, 0, width, height};
+    return options.wide ? picture.doubled(capabilities.maxViewport) : picture;
+}
 
 /// Images that a draw writes: a framebuffer of the target.
 enum class Pass : std::uint8_t {

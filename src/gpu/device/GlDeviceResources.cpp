@@ -314,8 +314,9 @@ Result<TargetHandle> GlDevice::createTarget(std::uint32_t width, std::uint32_t h
     target->width = width;
     target->height = height;
     makeImages(*target, options);
-    if (state_.setViewport({0, 0, width, height})) // its first frame makes the same calls as later ones
-        glViewport(0, 0, static_cast<GLsizei>(width), static_cast<GLsizei>(height));
+    const Viewport first = firstViewport(width, height, options, capabilities_);
+    if (state_.setViewport(first)) // its first frame makes the same calls as later ones
+        glViewport(first.x, first.y, static_cast<GLsizei>(first.width), static_cast<GLsizei>(first.height));
     if (Result<void> checked = checkMemory(fmt::format("a picture of {}x{}", width, height)); !checked)
         return Failure(checked.error());
     if (Result<void> made = makePasses(*target); !made)

@@ -122,7 +122,7 @@ Result<TargetHandle> NullDevice::createTarget(std::uint32_t width, std::uint32_t
     }
     if (Result<void> checked = checkSamples(options.samples, capabilities_); !checked)
         return Failure(checked.error());
-    static_cast<void>(state_.setViewport({0, 0, width, height}));
+    static_cast<void>(state_.setViewport(firstViewport(width, height, options, capabilities_)));
     ++objects_.targets;
     return static_cast<TargetHandle>(targets_++);
 }
