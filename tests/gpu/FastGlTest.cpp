@@ -387,6 +387,17 @@ TEST_F(FastGlTest, aWideViewportShowsTheSame_andTooLargeOnesAreNotWide) {
         << "an odd side has no middle";
 }
 
+/// An upright rectangle in a plane through the eye's place moved by `height` metres, `turn` degrees from north. `min`, `max`: metres along the
+/// plane and upwards.
+std::array<glm::vec3, 4> uprightAtTheEye(float turn, float height, glm::vec2 min, glm::vec2 max) {
+    const float along = glm::radians(turn);
+    const auto corner = [&](float metres, float z) {
+        return glm::vec3{metres * std::sin(along) + height * std::cos(along),
+                         metres * std::cos(along) - height * std::sin(along), z};
+    };
+    return {corner(max.x, min.y), corner(min.x, min.y), corner(min.x, max.y), corner(max.x, max.y)};
+}
+
 // The eye is micrometres before a wall that reaches far to both sides. In a viewport of the picture's size, columns at its border are void.
 TEST_F(FastGlTest, aWallAtTheEyeReachesTheBorders) {
     std::int64_t walls = 0;
@@ -397,12 +408,7 @@ TEST_F(FastGlTest, aWallAtTheEyeReachesTheBorders) {
                 static_cast<float>(kDefaultNearPlane);
             scene.root(1);
             scene.addWall('A', {-30, -30}, {30, 30}, 20, {.members = {{1, 0}}});
-            const float along = glm::radians(turn);
-            const auto corner = [&](float metres, float z) {
-                return glm::vec3{metres * std::sin(along) + height * std::cos(along),
-                                 metres * std::cos(along) - height * std::sin(along), z};
-            };
-            const std::array<glm::vec3, 4> front{corner(7, -3), corner(-5, -3), corner(-5, 3), corner(7, 3)};
+            const std::array<glm::vec3, 4> front = uprightAtTheEye(turn, height, {-5, -3}, {7, 3});
             for (const auto& side : {front, {front[3], front[2], front[1], front[0]}})
                 scene.addQuad('W', side, {.members = {{1, 0}}});
             const Both both = drawBoth(scene, 64);
@@ -434,13 +440,7 @@ SceneBuilder paneAtTheEye(float turn, float height) {
         scene.addMaterial({1, 0, 0, 0.5f}, layout::kNoTexture, layout::kMaterialAlpha);
     scene.root(1);
     scene.addWall('A', {-10, -10}, {10, 10}, 10, {.members = {{1, 0}}});
-    const float along = glm::radians(turn);
-    const auto corner = [&](float metres, float z) {
-        return glm::vec3{metres * std::sin(along) + height * std::cos(along),
-                         metres * std::cos(along) - height * std::sin(along), z};
-    };
-    const std::array<glm::vec3, 4> front{corner(2, -0.8f), corner(-1, -0.8f), corner(-1, 1.2f),
-                                         corner(2, 1.2f)};
+    const std::array<glm::vec3, 4> front = uprightAtTheEye(turn, height, {-1, -0.8f}, {2, 1.2f});
     for (const auto& side : {front, {front[3], front[2], front[1], front[0]}})
         scene.addQuad('p', side,
                       {.members = {{1, 0}}, .material = glass, .program = frame::Program::Blended});
