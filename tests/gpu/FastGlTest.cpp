@@ -431,7 +431,7 @@ TEST_F(FastGlTest, aWallAtTheEyeReachesTheBorders) {
     EXPECT_GT(walls, 20000);
 }
 
-/// An upright pane through the eye's place moved by `height` metres, 20 degrees to `turn` of north, 3 m long and 2 m high.
+/// An upright pane through the eye's place moved by `height` metres, `turn` degrees from north, 3 m long and 2 m high.
 SceneBuilder paneAtTheEye(float turn, float height) {
     SceneBuilder scene;
     scene.plan.constants.nearPlane = scene.plan.constants.clipFromEye[3][2] =
