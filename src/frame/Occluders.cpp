@@ -12,9 +12,9 @@ constexpr std::uint64_t kMostPixels = 1 << 22; ///< of a picture; larger ones ar
 
 } // namespace
 
-void Occluders::prepare(const FrameView& frame, const visibility::Viewcones& cones) {
+void Occluders::prepare(const FrameView& frame, world::SpaceIndex root, const visibility::Viewcones& cones) {
     areReady_ = false;
-    if (frame.occlusion == Occlusion::Off || !frame.rules.viewcone || frame.view.root != world::kOutside ||
+    if (frame.occlusion == Occlusion::Off || !frame.rules.viewcone || root != world::kOutside ||
         std::uint64_t{frame.width} * frame.height > kMostPixels)
         return;
     if (pause_ > 0 && frame.occlusion == Occlusion::IfWorthwhile) {

@@ -18,9 +18,9 @@ class Occluders {
 public:
     explicit Occluders(const StaticScene& scene) : world_(scene.world()), shapes_(scene.occluders()) {}
 
-    /// Draws the largest occluders of a frame into the buffer, if FrameView::occlusion says so and the eye is outside. `cones`: prepared for the
-    /// frame.
-    void prepare(const FrameView& frame, const visibility::Viewcones& cones);
+    /// Draws the largest occluders of a frame into the buffer, if FrameView::occlusion says so and rays begin outside. `root`: the
+    /// space of the first visit; an eye just past a door begins in another space than FrameView's. `cones`: prepared for the frame.
+    void prepare(const FrameView& frame, world::SpaceIndex root, const visibility::Viewcones& cones);
     [[nodiscard]] bool areReady() const { return areReady_; } ///< for this frame
     /// Whether no part of a sphere shows in the root visit. False if they are not ready.
     [[nodiscard]] bool hide(const visibility::SeenSphere& sphere) const {

@@ -93,7 +93,7 @@ void Planner::plan(const FrameView& frame, const world::DynamicState& dynamics,
     rects_.find(frame, set, plan);
     LIMEN_ASSERT(!frame.rootFirst || frame.fillsVoids, "FrameView::rootFirst requires it");
     std::optional<RectRun> openings;
-    if (several && frame.fillsVoids && frame.view.root == world::kOutside)
+    if (several && frame.fillsVoids && set.visits.front().space == world::kOutside)
         openings = rectsOfOpenings(frame, set, plan);
     isRootFirst_ = frame.rootFirst && openings && shareOf(*openings, plan) <= kMostOpen;
     selection_.select(frame, dynamics, set, isRootFirst_);

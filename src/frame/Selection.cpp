@@ -55,7 +55,7 @@ void Selection::select(const FrameView& frame, const world::DynamicState& dynami
         2.0 * std::max(frame.view.tanHalfX / frame.width, frame.view.tanHalfY / frame.height);
     cones_.prepare(frame.view, set, pixel);
     exits_.prepare(set);
-    occluders_.prepare(frame, cones_);
+    occluders_.prepare(frame, set.visits.front().space, cones_);
     gatherTests(set);
     for (const TestedSpace& tested : testedSpaces_) {
         zone_ = hasSeveralVisits_ ? world_.spaces[tested.space].zone : world::kNone;

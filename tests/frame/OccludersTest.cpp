@@ -9,25 +9,26 @@ namespace {
 
 using frame::Occlusion;
 
-/// A house of one room on a plain: a door to the south and one to the north, in line. Tables south and north of it. In the
-/// north-east, a hill.
+/// A house of one room on a plain: a door to the south and one to the north, in line. Its floor is 2 m below the plain. Tables
+/// south and north of it, and one in the room. In the north-east, a hill.
 struct House {
     TestWorld world;
     std::uint32_t table = world.addModel(insideOut(boxWalls({-0.2, -0.2, 0}, {0.2, 0.2, 0.8}, "red")));
     House() {
         world.setFlatTerrain(world.home(), 0);
-        const auto room = world.addBox({86, 90, 0}, {98, 98, 4}, "brown");
+        const auto room = world.addBox({86, 90, -2}, {98, 98, 4}, "brown");
         const auto south = world.openOutside(room, rectangle({91, 90, 0.1}, {93, 90, 2}));
         const auto north = world.openOutside(room, rectangle({91, 98, 0.1}, {93, 98, 2}));
         world.addBuilding(boxExterior({86, 90, 0}, {98, 98, 4}), {south, north});
-        for (const Vec3& place : kTables)
-            world.addObject(table, frameAt(place));
+        for (std::size_t i = 0; i < kInRoom; ++i)
+            world.addObject(table, frameAt(kTables[i]));
+        world.addStatic(room, table, frameAt(kTables[kInRoom]));
         world.terrain(world.home()).heights[6 * 9 + 6] = 15; // at (144, 144): 30 m
     }
     static constexpr std::size_t kBefore = 0, kThroughDoors = 1, kBehindWall = 2, kBeside = 3,
-                                 kBehindHill = 4;
-    static inline const std::vector<Vec3> kTables{
-        {92, 80, 0}, {92, 108, 0}, {96, 104, 0}, {104, 108, 0}, {186, 186, 0}};
+                                 kBehindHill = 4, kInRoom = 5;
+    static inline const std::vector<Vec3> kTables{{92, 80, 0},   {92, 108, 0},  {96, 104, 0},
+                                                  {104, 108, 0}, {186, 186, 0}, {92, 97, -2}};
 };
 
 struct Occluders : ::testing::Test {
@@ -91,6 +92,14 @@ TEST_F(Occluders, countForAnEyeOutsideAlone) {
     const world::SpaceIndex room = 1;
     ASSERT_NE(room, world::kOutside);
     EXPECT_EQ(tablesFrom(eye, 0, room, Occlusion::Always), tablesFrom(eye, 0, room, Occlusion::Off));
+}
+
+TEST_F(Occluders, hideNothingFromAnEyePastItsDoor) {
+    const Vec3 eye(92, 90.00001, 1.5);
+    const Tables all = tablesFrom(eye, 0, world::kOutside, Occlusion::Off);
+    ASSERT_NE(planned.visible.visits[0].space, world::kOutside) << "rays begin in the room";
+    EXPECT_TRUE(all.contains(House::kInRoom));
+    EXPECT_EQ(tablesFrom(eye, 0, world::kOutside, Occlusion::Always), all);
 }
 
 TEST_F(Occluders, pauseAfterAFrameInWhichTheyHideLittle) {
