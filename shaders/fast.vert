@@ -11,6 +11,9 @@ layout(location = kAttributePosition) in vec3 inPosition;
 layout(location = kAttributeNormal) in vec4 inNormal;
 layout(location = kAttributeUv) in vec2 inUv;
 layout(location = kAttributePolygonSurface) in uint inPolygonSurface;
+#ifdef BLENDED
+layout(location = kAttributeFacet) in vec3 inFacet; // of the first triangle of those that share the vertex
+#endif
 layout(location = kAttributeRow0) in vec4 inRow0; // DrawRecord
 layout(location = kAttributeRow1) in vec4 inRow1;
 layout(location = kAttributeRow2) in vec4 inRow2;
@@ -42,7 +45,7 @@ vec3 eyeRelativePlace() {
 // Of depth: so much that another program's rounding does not bring the same surface to the front.
 const float kBehindRoot = 1.0 - 1.0 / 1048576.0;
 
-const uint kLightKind = (1u << kRecordDetail) - 1u;
+const uint kLightKind = kRecordFilling - 1u;
 
 #ifdef DETAILS
 // After vTexture.
@@ -128,11 +131,28 @@ void setSurface(vec3 eyeRelative) {
 #endif
 }
 
+#ifdef BLENDED
+// Of the surfaces in an opening's plane, a pane comes first (onpolygon.glsl, beforePlane): its depth is that of a plane kInPlaneTolerance
+// nearer to the eye. Yields the factor of the stored depth, near plane / view depth, which is one for all of a plane. The
+// parts of the pane that a near plane moved by the factor cuts off are nearer than any ray meets it.
+float timesBeforePlane(vec3 eyeRelative) {
+    vec3 normal = turned(inFacet);
+    float height = abs(dot(normal, eyeRelative)) / max(length(normal), 1.0e-6);
+    float most = max(height / (4.0 * frame.nearPlane), 1.0);
+    float nearer = height - kInPlaneTolerance;
+    return nearer * most > height ? height / nearer : most;
+}
+#endif
+
 void main() {
     vec3 eyeRelative = eyeRelativePlace();
     gl_Position = clipFromEye(eyeRelative);
 #if defined(GATED) && !defined(BLENDED)
     gl_Position.z *= (frame.flags & kFrameRootFirst) != 0u ? kBehindRoot : 1.0;
+#endif
+#ifdef BLENDED
+    vBeforePlane = (inMembers.w & kRecordFilling) != 0u ? timesBeforePlane(eyeRelative) : 1.0;
+    gl_Position.z *= vBeforePlane;
 #endif
     clipBy(uint(inOffsetRest.w));
     gl_Position = widened(gl_Position);

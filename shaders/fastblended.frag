@@ -1,9 +1,9 @@
 // Transparent surfaces of the fast way of drawing; blended as by blended.frag. Out: premultiplied colour.
+#define LOOK in
+#include "fastlook.glsl"
 #include "textures.glsl"
 #include "fastgate.glsl"
 #include "eyeplane.glsl"
-#define LOOK in
-#include "fastlook.glsl"
 #include "fastlit.glsl"
 
 layout(location = kOutputBlended) out vec4 outColour;

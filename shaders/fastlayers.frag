@@ -1,9 +1,9 @@
 // Counts the surfaces of the transparent stage, as layers.frag does, for the fast way of drawing.
+#define LOOK in
+#include "fastlook.glsl"
 #include "fastgate.glsl"
 #include "eyeplane.glsl"
 #include "layers.glsl"
-#define LOOK in
-#include "fastlook.glsl"
 
 layout(location = kOutputBlended) out vec4 outLayers;
 

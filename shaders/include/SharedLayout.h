@@ -429,8 +429,9 @@ LIMEN_STRUCT(Lamp) {
 LIMEN_CONST kDetailOfLand = 0u;
 LIMEN_CONST kDetailOfExteriors = 1u;
 LIMEN_CONST kDetailOfShells = 2u;
-LIMEN_CONST kNoDetail = 3u;     // has 0 repeats
-LIMEN_CONST kRecordDetail = 8u; // shift in DrawRecord.members
+LIMEN_CONST kNoDetail = 3u;        // has 0 repeats
+LIMEN_CONST kRecordFilling = 128u; // flag in DrawRecord.members.w: of kKindFilling
+LIMEN_CONST kRecordDetail = 8u;    // shift in DrawRecord.members.w
 
 // Everything of an instance that fast.vert reads: an instanced attribute of each draw.
 LIMEN_STRUCT(DrawRecord) {
@@ -442,7 +443,7 @@ LIMEN_STRUCT(DrawRecord) {
     vec4 sun LIMEN_ZERO;     // rgb: light of the sun at a surface that faces it
     uvec4 look LIMEN_ZERO;   // Instance.firstMaterial, Instance.highlight, LightSet.firstLamp and lampCount
     // Instance.firstMember, member count (0: no ownership test), Instance.idBase, LightSet.kind plus the component of
-    // detailTextures that covers it << kRecordDetail. An instance of one zone: the zone, kOneMember. In a frame of up to
+    // detailTextures that covers it << kRecordDetail, and kRecordFilling. An instance of one zone: the zone, kOneMember. In a frame of up to
     // kMostVisitBits visits x and y of a draw with the test are a bit for each visit to one of its zones, and kGated.
     uvec4 members LIMEN_ZERO;
 };

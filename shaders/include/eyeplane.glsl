@@ -1,5 +1,5 @@
 // Whether a fragment's surface and the eye are in one plane (docs/ray-rule.md#tolerances). Then no ray meets the surface,
-// but its triangles can cover any part of the picture, as their corners are rounded.
+// but its triangles can cover any part of the picture, as their corners are rounded. After fastlook.glsl.
 #include "place.glsl"
 
 // Micrometres, so that products of places this near the eye are within a float's range.
@@ -13,5 +13,5 @@ bool isInEyesPlane() {
     vec3 normal = cross(dFdx(at), dFdy(at));
     float height = dot(at, normal);
     float most = kEyeInPlaneTolerance * kMicrometres;
-    return gl_FragCoord.z > frame.nearPlane / kFarFromPlane && height * height <= most * most * dot(normal, normal);
+    return storedDepth() > frame.nearPlane / kFarFromPlane && height * height <= most * most * dot(normal, normal);
 }

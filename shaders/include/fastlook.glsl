@@ -1,6 +1,8 @@
 // Values that fast.vert passes to the fragment stage. LOOK: out or in.
 // Colour = texel * vTimes + vPlus; alpha = texel.a * vAlpha.x + vAlpha.y, kept from vAlpha.z to below vAlpha.w. Light,
 // fog, highlights and materials without a texture all have this form.
+#include "varyings.glsl"
+
 layout(location = kVaryingTimes) LOOK vec3 vTimes;
 layout(location = kVaryingPlus) LOOK vec3 vPlus;
 layout(location = kVaryingFastUv) LOOK vec2 vUv;
@@ -27,6 +29,7 @@ layout(location = kVaryingAlpha) flat LOOK vec4 vAlpha;
 #endif
 #ifdef BLENDED
 layout(location = kVaryingCover) flat LOOK float vCover; // 0: additive
+layout(location = kVaryingBeforePlane) flat LOOK float vBeforePlane; // factor of the stored depth, >= 1
 #endif
 #if defined(GATED) && !defined(SKY)
 layout(location = kVaryingMembers) flat LOOK uvec3 vMembers; // DrawRecord.members

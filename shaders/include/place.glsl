@@ -7,6 +7,15 @@ vec3 placeAt(float depth) {
     return rayThrough(pixelOfPicture()) * (frame.nearPlane / depth);
 }
 
+// The fragment's depth without vBeforePlane. BLENDED: after fastlook.glsl.
+float storedDepth() {
+#ifdef BLENDED
+    return gl_FragCoord.z / vBeforePlane;
+#else
+    return gl_FragCoord.z;
+#endif
+}
+
 vec3 placeHere() {
-    return placeAt(gl_FragCoord.z);
+    return placeAt(storedDepth());
 }

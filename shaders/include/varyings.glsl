@@ -22,6 +22,7 @@ const uint kVaryingCover = 5u;
 const uint kVaryingMembers = 6u;
 const uint kVaryingFastId = 7u;
 const uint kVaryingPicture = 8u;
+const uint kVaryingBeforePlane = 8u; // of transparent surfaces, which have no picture
 const uint kVaryingLayers = 9u; // an array: three locations
 const uint kVaryingShown = 12u;  // an array: three locations
 const uint kVaryingDetail = 4u; // of surfaces without alpha

@@ -11,6 +11,10 @@ namespace {
 
 constexpr auto kTerrainKind = static_cast<std::uint32_t>(world::InstanceKind::Terrain);
 
+std::uint32_t fillingFlagOf(std::uint32_t kind) {
+    return kind == gpu::kKindFilling ? gpu::kRecordFilling : 0u;
+}
+
 /// As details.glsl; the ground has programs of its own.
 std::uint32_t detailOf(std::uint32_t kind) {
     return kind == gpu::kKindShell      ? gpu::kDetailOfShells
@@ -117,7 +121,8 @@ void DrawRecords::light(std::uint32_t number, gpu::DrawRecord& record) const {
     const bool isOne = count == 1;
     record.members = {isOne ? member(instance.firstMember).zone : instance.firstMember,
                       isOne ? gpu::kOneMember : count, instance.idBase,
-                      set.kind | detailOf(gpu::kindOf(instance)) << gpu::kRecordDetail};
+                      set.kind | fillingFlagOf(gpu::kindOf(instance)) |
+                          detailOf(gpu::kindOf(instance)) << gpu::kRecordDetail};
 }
 
 } // namespace limen::frame

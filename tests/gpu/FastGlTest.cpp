@@ -398,6 +398,13 @@ std::array<glm::vec3, 4> uprightAtTheEye(float turn, float height, glm::vec2 min
     return {corner(max.x, min.y), corner(min.x, min.y), corner(min.x, max.y), corner(max.x, max.y)};
 }
 
+/// Adds a rectangle that is seen from both sides: two instances.
+void addBothSides(SceneBuilder& scene, std::uint32_t id, const std::array<glm::vec3, 4>& front,
+                  const QuadOptions& options) {
+    scene.addQuad(id, front, options);
+    scene.addQuad(id, {front[3], front[2], front[1], front[0]}, options);
+}
+
 // The eye is micrometres before a wall that reaches far to both sides. In a viewport of the picture's size, columns at its border are void.
 TEST_F(FastGlTest, aWallAtTheEyeReachesTheBorders) {
     std::int64_t walls = 0;
@@ -408,9 +415,7 @@ TEST_F(FastGlTest, aWallAtTheEyeReachesTheBorders) {
                 static_cast<float>(kDefaultNearPlane);
             scene.root(1);
             scene.addWall('A', {-30, -30}, {30, 30}, 20, {.members = {{1, 0}}});
-            const std::array<glm::vec3, 4> front = uprightAtTheEye(turn, height, {-5, -3}, {7, 3});
-            for (const auto& side : {front, {front[3], front[2], front[1], front[0]}})
-                scene.addQuad('W', side, {.members = {{1, 0}}});
+            addBothSides(scene, 'W', uprightAtTheEye(turn, height, {-5, -3}, {7, 3}), {.members = {{1, 0}}});
             const Both both = drawBoth(scene, 64);
             std::int64_t unlike = 0;
             for (std::size_t i = 0; i < both.exact.ids.size(); ++i) {
@@ -440,10 +445,8 @@ SceneBuilder paneAtTheEye(float turn, float height) {
         scene.addMaterial({1, 0, 0, 0.5f}, layout::kNoTexture, layout::kMaterialAlpha);
     scene.root(1);
     scene.addWall('A', {-10, -10}, {10, 10}, 10, {.members = {{1, 0}}});
-    const std::array<glm::vec3, 4> front = uprightAtTheEye(turn, height, {-1, -0.8f}, {2, 1.2f});
-    for (const auto& side : {front, {front[3], front[2], front[1], front[0]}})
-        scene.addQuad('p', side,
-                      {.members = {{1, 0}}, .material = glass, .program = frame::Program::Blended});
+    addBothSides(scene, 'p', uprightAtTheEye(turn, height, {-1, -0.8f}, {2, 1.2f}),
+                 {.members = {{1, 0}}, .material = glass, .program = frame::Program::Blended});
     return scene;
 }
 
@@ -473,6 +476,36 @@ TEST_F(FastGlTest, aPaneInTheEyesPlaneIsNotDrawn) {
             EXPECT_LE(unlike, 64) << turn << " degrees, " << height << " m: a column of pixels";
         }
         EXPECT_GT(met, 1000) << turn << " degrees";
+    }
+}
+
+// docs/ray-rule.md#spaces-portals-fillings: a pane comes before the surfaces in its opening's plane. Fast frames drew it behind the frame's trim.
+TEST_F(FastGlTest, aPaneComesBeforeWhatIsInItsPlane) {
+    for (const float turn : {-61.0f, -30.0f, -7.0f, 3.0f, 20.0f}) {
+        for (const float height : {1.5e-4f, 3e-4f, 1e-3f, 4e-3f, 0.05f}) {
+            for (const float before : {1e-4f, 3e-4f, 1e-2f}) {
+                if (before >= height)
+                    continue;
+                SceneBuilder scene = paneAtTheEye(turn, height);
+                for (std::size_t i = scene.upload.instances.size() - 2; i < scene.upload.instances.size();
+                     ++i)
+                    scene.upload.instances[i].membersAndKind |= layout::kKindFilling << 16;
+                addBothSides(scene, 'b', uprightAtTheEye(turn, height - before, {-1, -0.5f}, {2, 0.0f}),
+                             {.members = {{1, 0}}});
+                const Both both = drawBoth(scene, 64, {.wantLayers = true});
+                std::int64_t unlike = 0, covered = 0, hidden = 0;
+                for (std::size_t i = 0; i < both.exact.layers.size(); ++i) {
+                    unlike += both.exact.layers[i] == both.fast.layers[i] ? 0 : 1;
+                    if (both.exact.ids[i] == 'b')
+                        ++(both.exact.layers[i].count > 0 ? covered : hidden);
+                }
+                const std::string at = std::to_string(turn) + " degrees, " + std::to_string(height) +
+                                       " and " + std::to_string(before) + " m";
+                EXPECT_LE(unlike, 64) << at << ": a row or column of pixels";
+                EXPECT_GT(before < 2e-4f ? covered : hidden, 100) << at;
+                EXPECT_LE(before < 2e-4f ? hidden : covered, 64) << at;
+            }
+        }
     }
 }
 
