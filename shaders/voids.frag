@@ -42,7 +42,7 @@ void fill(bool isVoid) {
 #endif
 
 void main() {
-    bool isVoid = !keepOutside();
+    bool isVoid = frame.visitCount == 1u || !keepOutside(); // one visit: to a cell
 #ifdef FLAT
     outColour = colourOfId(kVoidId);
 #else

@@ -55,8 +55,8 @@ struct FrameView {
     /// Instances of the root's zone that no opening can hide are drawn without the ownership test. The picture
     /// is the same, but for surfaces in the plane of a shut opening.
     bool fewTests = false;
-    /// Every frame with several visits has a batch of the plain sky, whose first draw fills voids (voids.frag). The
-    /// objects of the sky then take no ownership test.
+    /// Every frame with several visits, or from the plane of an opening of the eye's cell, has a batch of the plain sky, whose
+    /// first draw fills voids (voids.frag). The objects of the sky then take no ownership test.
     bool fillsVoids = false;
     /// The rasteriser's coverage decides the outlines of openings: no fragment tests edges. Openings near the eye are
     /// then drawn as the flood's regions.

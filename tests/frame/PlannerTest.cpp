@@ -170,8 +170,9 @@ TEST_F(PlannerTest, aBatchsRunsAddUp) {
 }
 
 TEST_F(PlannerTest, voidsAreFilledWhereSeveralVisitsMeet) {
+    Vec3 eye(92, 96, 1.5);
     const auto hasPlainSky = [&](double yaw, bool fillsVoids) {
-        static_cast<void>(planned.planFrom({92, 96, 1.5}, yaw, second));
+        static_cast<void>(planned.planFrom(eye, yaw, second));
         planned.view.fillsVoids = fillsVoids;
         planned.planner.plan(planned.view, planned.visible, planned.plan);
         return std::any_of(planned.plan.batches.begin(), planned.plan.batches.end(),
@@ -183,6 +184,14 @@ TEST_F(PlannerTest, voidsAreFilledWhereSeveralVisitsMeet) {
     EXPECT_FALSE(hasPlainSky(90, true)) << "one visit has no edges";
     EXPECT_EQ(planned.visible.visits.size(), 1u);
     EXPECT_TRUE(hasPlainSky(0, false)) << "towards the exit";
+    const world::Portal& portal = planned.world.portals[planned.world.spaces[second].firstPortal];
+    for (const double height : {5e-4, 2e-3}) { // beside the opening
+        eye = Vec3(97, 96, 1.5);
+        eye -= portal.plane.n * (portal.plane.signedDistance(planned.origin + eye) - height);
+        EXPECT_EQ(hasPlainSky(90, true), height < 1e-3) << "cracks between close triangles";
+        EXPECT_EQ(planned.visible.visits.size(), 1u);
+        EXPECT_FALSE(hasPlainSky(90, false));
+    }
 }
 
 TEST_F(PlannerTest, visitsMirrorTheTree) {
