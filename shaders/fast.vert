@@ -14,6 +14,7 @@ layout(location = kAttributePolygonSurface) in uint inPolygonSurface;
 #ifdef BLENDED
 layout(location = kAttributeFacet) in vec3 inFacet; // of the first triangle of those that share the vertex
 #endif
+layout(location = kAttributeRest) in vec3 inRest;
 layout(location = kAttributeRow0) in vec4 inRow0; // DrawRecord
 layout(location = kAttributeRow1) in vec4 inRow1;
 layout(location = kAttributeRow2) in vec4 inRow2;
@@ -36,9 +37,10 @@ vec3 turned(vec3 v) {
     return result;
 }
 
-// Near the eye, the first sum is exact: the offset is the eye's position, rounded.
+// Near the eye, the first sum is exact: the offset is the eye's position, rounded. Shells and exteriors are block-local, so their rests are up
+// to 8 micrometres; without them an eye nearer than that to a wall saw its back (decision 222).
 vec3 eyeRelativePlace() {
-    precise vec3 result = (turned(inPosition) + vec3(inRow0.w, inRow1.w, inRow2.w)) + inOffsetRest.xyz;
+    precise vec3 result = (turned(inPosition) + vec3(inRow0.w, inRow1.w, inRow2.w)) + (turned(inRest) + inOffsetRest.xyz);
     return result;
 }
 

@@ -436,6 +436,46 @@ TEST_F(FastGlTest, aWallAtTheEyeReachesTheBorders) {
     EXPECT_GT(walls, 20000);
 }
 
+/// A wall that faces the eye, 185 m from the origin of its coordinates: its corners have rests, as those of a loaded shell.
+void addFarOriginWall(SceneBuilder& scene, float turn, float height) {
+    const glm::vec3 origin(-151.3f, -97.7f, -40.1f);
+    const std::size_t first = scene.upload.vertices.size();
+    const std::array<glm::vec3, 4> left = uprightAtTheEye(turn, height, {-5, -3}, {7, 3});
+    const std::array<glm::vec3, 4> right{left[3], left[2], left[1], left[0]};
+    scene.addQuad(
+        'W', height > 0.0f ? left : right,
+        {.members = {{1, 0}}, .rows = {{{1, 0, 0, origin.x}, {0, 1, 0, origin.y}, {0, 0, 1, origin.z}}}});
+    for (std::size_t i = first; i < scene.upload.vertices.size(); ++i) {
+        layout::Vertex& vertex = scene.upload.vertices[i];
+        const glm::dvec3 place = glm::dvec3(vertex.position) - glm::dvec3(origin);
+        vertex.position = glm::vec3(place);
+        vertex.rest = glm::vec3(place - glm::dvec3(vertex.position));
+    }
+}
+
+// Decision 222: without the rests the corners of such a wall are micrometres off, and the wall is seen from its back or not at all.
+TEST_F(FastGlTest, aWallMicrometresFromTheEyeIsSeen) {
+    for (const float turn : {-41.0f, -34.0f, -7.0f, 3.0f, 20.0f}) {
+        for (const float height : {-4e-6f, -2e-6f, -1e-6f, 1e-6f, 2e-6f, 4e-6f}) {
+            SceneBuilder scene;
+            scene.plan.constants.nearPlane = scene.plan.constants.clipFromEye[3][2] =
+                static_cast<float>(kDefaultNearPlane);
+            scene.root(1);
+            scene.addWall('A', {-10, -10}, {10, 10}, 10, {.members = {{1, 0}}});
+            addFarOriginWall(scene, turn, height);
+            const Both both = drawBoth(scene, 64);
+            std::int64_t unlike = 0, walls = 0;
+            for (std::size_t i = 0; i < both.exact.ids.size(); ++i) {
+                unlike += both.exact.ids[i] == both.fast.ids[i] ? 0 : 1;
+                walls += both.exact.ids[i] == 'W' ? 1 : 0;
+            }
+            EXPECT_LE(unlike, 128) << turn << " degrees, " << height
+                                   << " m: two columns where the wall begins";
+            EXPECT_GT(walls, 200) << turn << " degrees, " << height << " m";
+        }
+    }
+}
+
 /// An upright pane through the eye's place moved by `height` metres, `turn` degrees from north, 3 m long and 2 m high.
 SceneBuilder paneAtTheEye(float turn, float height) {
     SceneBuilder scene;
