@@ -6,6 +6,7 @@
 #include "worlds/generate/SmallPictures.h"
 #include "worlds/records/Carve.h"
 #include "worlds/records/LandblockWriter.h"
+#include "worlds/shapes/Panel.h"
 
 #include <algorithm>
 #include <array>
