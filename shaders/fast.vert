@@ -54,7 +54,12 @@ const uint kLightKind = kRecordFilling - 1u;
 void setDetail() {
     uint detail = inMembers.w >> kRecordDetail;
     float tiling = frame.detailTiling[detail];
+#ifdef WALL_GRAIN
+    uint row = tiling > 0.0 ? 1u + (detail - kDetailOfExteriors) * kGrainRows : kNoGrainRow;
+    vDetail = uvec3(row, 0u, floatBitsToUint(tiling * float(kGrainSide)));
+#else
     vDetail = uvec3(tiling > 0.0 ? textureRefAt(frame.detailTextures[detail]).place.xy : uvec2(0u), floatBitsToUint(tiling));
+#endif
 }
 #endif
 

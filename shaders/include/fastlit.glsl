@@ -8,7 +8,9 @@
 #endif
 
 vec3 litColour(vec3 texel) {
-#ifdef DETAILS
+#ifdef WALL_GRAIN
+    texel = grained(texel, wallGrain(int(vDetail.x), uintBitsToFloat(vDetail.z), vUv));
+#elif defined(DETAILS)
     float tiling = uintBitsToFloat(vDetail.z);
     for (uint i = 0u; i < (tiling > 0.0 ? 1u : 0u); ++i) { // a loop: see terrainblend.glsl
         texel = grained(texel, texelsAt(vDetail.xy, vUv * tiling));

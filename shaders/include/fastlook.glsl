@@ -1,6 +1,7 @@
 // Values that fast.vert passes to the fragment stage. LOOK: out or in.
 // Colour = texel * vTimes + vPlus; alpha = texel.a * vAlpha.x + vAlpha.y, kept from vAlpha.z to below vAlpha.w. Light,
 // fog, highlights and materials without a texture all have this form.
+#include "AtlasLayout.h"
 #include "varyings.glsl"
 
 layout(location = kVaryingTimes) LOOK vec3 vTimes;
@@ -12,6 +13,9 @@ layout(location = kVaryingLayers) flat LOOK uvec4 vLayers[kPackedVectors]; // Pa
 layout(location = kVaryingShown) flat LOOK uvec4 vShown[kShownVectors];
 #endif
 #ifdef DETAILS
+#if defined(ATLAS) && !defined(TERRAIN)
+#define WALL_GRAIN // vDetail.x, z: arguments of wallGrain, the second as float bits
+#endif
 layout(location = kVaryingDetail) flat LOOK uvec3 vDetail; // TextureRef.place.xy; repeats, as float bits, 0: no grain
 #endif
 #if defined(DETAILS) && defined(TERRAIN) && defined(GRAIN_UNLIT)

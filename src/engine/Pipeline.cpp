@@ -92,7 +92,6 @@ void Pipeline::plan(const frame::FrameView& view) {
     planned.levels = drawnLevels(view.levels);
     if (!renderer_.choices().occludes)
         planned.occlusion = frame::Occlusion::Off;
-    planned.details &= view.look == world::Look::Enhanced || renderer_.choices().details;
     part_->planner.plan(planned, state_.dynamics, state_.visible, state_.plan);
     isPlanned_ = true;
 }

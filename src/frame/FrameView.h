@@ -68,7 +68,6 @@ struct FrameView {
     world::LevelShare
         levels; ///< of distances of levels of detail; whole in plans that the device culls (levels.glsl)
     world::Look look = world::Look::Retail;
-    bool details = true;       ///< draw the detail pictures that the look has
     bool exactCutOuts = false; ///< cut-outs at mip 0, nearest texel: for ids and depth
     /// Keep them few: for static instances the device searches the list for every draw. Read while the frame
     /// is planned.

@@ -54,8 +54,6 @@ constexpr std::size_t kMostLamps = 40; ///< that shine in a frame
 constexpr double kMostOpen = 0.125;
 
 void placeDetails(const world::Details& details, const FrameView& frame, gpu::ViewConstants& c) {
-    if (!frame.details)
-        return;
     const auto place = [&c](const world::DetailPicture& picture, std::uint32_t detail) {
         c.detailTextures[static_cast<int>(detail)] = picture.texture;
         c.detailTiling[static_cast<int>(detail)] = picture.tiling;

@@ -43,6 +43,13 @@ DriverChoice pagesOf(const DriverChoices& choices) {
                                : "a card needs constant indices"};
 }
 
+DriverChoice atlasOf(const DriverChoices& choices) {
+    return {"atlas", choices.atlas ? "meshes and sky" : "off",
+            choices.atlas          ? "one page for textures of all sizes, if they fit: no choice of a page"
+            : choices.pagesByIndex ? "drawn exact, or the options say so"
+                                   : "only with pages by index"};
+}
+
 DriverChoice terrainOf(const DriverChoices& choices) {
     return {"packed_landcells", choices.packsTerrain ? "on" : "off",
             choices.packsTerrain ? "pages are selected by index, and layers that a cell lacks are not sampled"
@@ -101,12 +108,6 @@ DriverChoice cullingOf(const DriverChoices& choices) {
                                              : "as the options say"};
 }
 
-DriverChoice detailsOf(const DriverChoices& choices) {
-    return {"detail_pictures", choices.details ? "on" : "only in the look enhanced",
-            choices.details ? choices.software ? "drawn exact" : "a card samples them at little cost"
-                            : "drawn fast on the processor, they add half of a frame's time within cells"};
-}
-
 } // namespace
 
 DriverChoices driverChoices(const RendererOptions& options, const Capabilities& capabilities,
@@ -117,6 +118,7 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
     choices.drawing = options.drawing;
     choices.bindless = options.textures.mode != TextureMode::ArrayPages && capabilities.bindless;
     choices.pagesByIndex = !choices.bindless && options.textures.pagesByIndex && capabilities.software;
+    choices.atlas = isFast && choices.pagesByIndex && options.textures.atlas;
     choices.packsTerrain = isFast && choices.pagesByIndex;
     choices.nearestLevel = capabilities.software && options.textures.nearestLevel;
     choices.anisotropy = capabilities.software ? 1.0f : options.textures.anisotropy;
@@ -125,7 +127,6 @@ DriverChoices driverChoices(const RendererOptions& options, const Capabilities& 
     choices.overlaps = isFast && capabilities.software;
     choices.rootFirst = isFast && capabilities.software && options.rootFirst;
     choices.occludes = isFast && capabilities.software;
-    choices.details = !isFast || !capabilities.software;
     if (!isFast && options.exactOutlines && choices.samples == 1)
         choices.culling = options.culling;
     return choices;
@@ -135,7 +136,7 @@ std::vector<DriverChoice> describe(const DriverChoices& choices) {
     return {rasteriserOf(choices), drawingOf(choices), texturesOf(choices),   pagesOf(choices),
             terrainOf(choices),    levelsOf(choices),  anisotropyOf(choices), samplesOf(choices),
             commandsOf(choices),   overlapOf(choices), openingsOf(choices),   occlusionOf(choices),
-            cullingOf(choices),    detailsOf(choices)};
+            cullingOf(choices),    atlasOf(choices)};
 }
 
 } // namespace limen::gpu

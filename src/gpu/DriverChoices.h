@@ -15,6 +15,7 @@ struct DriverChoices {
     Drawing drawing = Drawing::Exact;
     bool bindless = false;           ///< textures by handle
     bool pagesByIndex = false;       ///< TextureStoreOptions::pagesByIndex
+    bool atlas = false;              ///< textures of meshes and sky in an atlas, if they fit
     bool packsTerrain = false;       ///< layers of landcells in 16 bytes each
     bool nearestLevel = false;       ///< one mip level a sample
     float anisotropy = 1.0f;         ///< limit; 1: off
@@ -24,7 +25,6 @@ struct DriverChoices {
     bool overlaps = false;           ///< rasterises walls and ground while it transforms the rest
     bool rootFirst = false;          ///< plans from outside have FrameView::rootFirst
     bool occludes = false;           ///< plans leave out instances that land and buildings hide
-    bool details = true;             ///< detail pictures in the look Retail; Enhanced always has them
 };
 
 /// Decides for a driver. `samples`: per pixel, as the options ask for.

@@ -84,9 +84,6 @@ TEST(Planner, placesTheGrainOfTheGroundInTheEnhancedLookOnly) {
         EXPECT_EQ(planned.plan.constants.detailTextures.z, planned.world.details.shells.texture);
         EXPECT_EQ((planned.plan.constants.flags & gpu::kFramePixelLamps) != 0, look == world::Look::Enhanced);
     }
-    planned.view.details = false;
-    planned.planner.plan(planned.view, {}, planned.visible, planned.plan);
-    EXPECT_EQ(planned.plan.constants.detailTiling, gpu::vec4(0));
 }
 
 TEST(DrawRecords, nameTheDetailPictureOfTheirInstance) {

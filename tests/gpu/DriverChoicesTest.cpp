@@ -59,6 +59,15 @@ TEST(DriverChoices, pagesBySoftwareAreSelectedByIndexUnlessTexturesHaveHandles) 
     EXPECT_TRUE(driverChoices(pages, both).pagesByIndex);
 }
 
+TEST(DriverChoices, texturesShareAnAtlasWherePagesAreSelectedByIndexAndDrawnFast) {
+    EXPECT_TRUE(driverChoices(fast(), software()).atlas);
+    EXPECT_FALSE(driverChoices({}, software()).atlas) << "exact frames keep their bytes";
+    EXPECT_FALSE(driverChoices(fast(), card()).atlas);
+    RendererOptions without = fast();
+    without.textures.atlas = false;
+    EXPECT_FALSE(driverChoices(without, software()).atlas);
+}
+
 TEST(DriverChoices, computePassesServeExactFramesOnly) {
     EXPECT_TRUE(driverChoices({}, card()).computes);
     EXPECT_EQ(driverChoices({}, card()).culling, Culling::Hidden);
@@ -96,9 +105,9 @@ TEST(DriverChoices, everyDecisionIsListedOnceWithAReason) {
         EXPECT_FALSE(std::string(choice.reason).empty());
     }
     const std::set<std::string> expected{
-        "rasteriser",       "drawing",         "textures",         "pages_by_index", "packed_landcells",
-        "mip_levels",       "anisotropy",      "multisampling",    "draw_commands",  "early_start",
-        "triangle_culling", "detail_pictures", "hidden_instances", "openings"};
+        "rasteriser",       "drawing",    "textures",         "pages_by_index", "packed_landcells",
+        "mip_levels",       "anisotropy", "multisampling",    "draw_commands",  "early_start",
+        "triangle_culling", "atlas",      "hidden_instances", "openings"};
     EXPECT_EQ(names, expected);
 }
 

@@ -36,6 +36,19 @@ TEST(MipChain, hiddenColoursDoNotBleed) {
     EXPECT_THAT(mipChain(2, 1, rgba)[1].rgba, ElementsAre(200, 100, 50, 128));
 }
 
+TEST(Resized, keepsALevelOfTheSameSize) {
+    const std::vector<MipLevel> levels = mipChain(4, 2, std::vector<std::uint8_t>(32, 80));
+    for (const MipLevel& level : levels)
+        EXPECT_EQ(resized(levels, level.width, level.height).rgba, level.rgba);
+}
+
+TEST(Resized, blendsNeighboursAcrossTheEdge) {
+    const std::vector<std::uint8_t> rgba{0, 0, 0, 255, 80, 0, 0, 255};
+    const MipLevel large =
+        resized(mipChain(2, 1, rgba), 4, 1); // middles at -1/4, 1/4, 3/4 and 5/4 of the first middle
+    EXPECT_THAT(large.rgba, ElementsAre(20, 0, 0, 255, 20, 0, 0, 255, 60, 0, 0, 255, 60, 0, 0, 255));
+}
+
 TEST(Enlarged, keepsSmallerMipsWhenTheSizeIsAMultiple) {
     std::vector<std::uint8_t> rgba;
     for (int i = 0; i < 4 * 2 * 4; ++i)

@@ -26,6 +26,9 @@ std::string textureDefines(const TextureBinding& binding) {
     if (binding.ground)
         text += fmt::format("\n#define GROUND_COLOURS {}\n#define GROUND_MAPS {}", binding.ground->colours,
                             binding.ground->maps);
+    if (binding.atlas)
+        text += fmt::format("\n#define ATLAS {}\n#define ATLAS_TEXEL (1.0 / vec2({}, {}))",
+                            binding.atlas->page, binding.atlas->width, binding.atlas->height);
     return text + (binding.byIndex && binding.pageCount > 0 ? "\n#define PAGES_BY_INDEX 1\n" : "\n");
 }
 

@@ -28,6 +28,12 @@ struct GroundPages {
     bool operator==(const GroundPages&) const = default;
 };
 
+/// The page that is an atlas (texture/Atlas.h), and the size of its layers in texels.
+struct AtlasPage {
+    std::uint32_t page = 0, width = 0, height = 0;
+    bool operator==(const AtlasPage&) const = default;
+};
+
 /// Texture binding of a program.
 struct TextureBinding {
     bool bindless = false;
@@ -36,6 +42,7 @@ struct TextureBinding {
         pages{}; ///< pages that the program may sample, ascending; each one has a cost even if unused
     bool byIndex = false;                ///< pages are selected by a variable index (TextureStoreOptions)
     std::optional<GroundPages> ground{}; ///< of the ground's programs, if each is one page
+    std::optional<AtlasPage> atlas{};    ///< of all textures but the ground's
     bool operator==(const TextureBinding&) const = default;
 };
 

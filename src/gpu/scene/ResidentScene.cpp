@@ -57,7 +57,7 @@ void ResidentScene::listArrays() {
     texels(layout::kUnitMaterials, "materials", bytesOf(scene_->materials));
     texels(layout::kUnitMaterialRefs, "material references", bytesOf(scene_->materialRefs));
     if (packsTerrain_) {
-        packed_ = packTerrain(scene_->terrainCells, textures_.refs(), blendMaps_);
+        packed_ = packTerrain(scene_->terrainCells, textures_.pageRefs(), blendMaps_);
         texels(layout::kUnitTerrain, "packed terrain cells", bytesOf(packed_));
     } else {
         texels(layout::kUnitTerrain, "terrain cells", bytesOf(scene_->terrainCells));

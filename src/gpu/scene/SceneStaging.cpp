@@ -27,10 +27,21 @@ SceneBindings bindingsOf(const frame::SceneUpload& upload, const StagedTextures&
             details.land != layout::kNoTexture, upload.defines};
 }
 
+TextureUses usesOf(const frame::SceneUpload& upload, const GroundTextures& ground) {
+    const frame::SceneDetails& details = upload.details;
+    TextureUses uses{ground.colours, {details.land}, {{details.exteriors, details.shells}}};
+    uses.ground.insert(uses.ground.end(), ground.maps.begin(), ground.maps.end());
+    for (const layout::Material& material : upload.materials)
+        uses.meshes.push_back(material.texture);
+    return uses;
+}
+
 /// Whether the previous pages keep their numbers.
 bool keepsPageNumbers(std::span<const TextureContent> before, const StagedTextures& textures) {
     const auto isAlike = [](const TextureContent& a, const StagedTexture& b) {
         const TextureShape &one = a.shape, &other = b.content.shape;
+        if (a.isAtlas || b.content.isAtlas)
+            return a.isAtlas && b.content.isAtlas; // programs do not know its size
         return one.width == other.width && one.height == other.height && one.clamp == other.clamp;
     };
     return before.size() <= textures.textures.size() &&
@@ -59,21 +70,20 @@ Result<StagedScene> stageScene(frame::SceneUpload scene, const RendererOptions& 
                                const Capabilities& capabilities, const SceneState& before) {
     if (Result<void> checked = checkScene(scene); !checked)
         return Failure(checked.error());
-    Result<StagedTextures> textures =
-        stageTextures(scene.textures, options.textures, capabilities, before.textures);
+    const DriverChoices choices = driverChoices(options, capabilities);
+    const GroundTextures ground = groundTexturesOf(scene.terrainCells);
+    const TextureUses uses = usesOf(scene, ground);
+    Result<StagedTextures> textures = stageTextures(scene.textures, options.textures, capabilities,
+                                                    before.textures, choices.atlas ? &uses : nullptr);
     if (!textures)
         return Failure(textures.error());
     StagedScene staged;
-    const GroundTextures ground = groundTexturesOf(scene.terrainCells);
     staged.bindings = bindingsOf(scene, *textures, ground);
-    const DriverChoices choices = driverChoices(options, capabilities);
     staged.packsTerrain = choices.packsTerrain && staged.bindings.terrain.pageCount > 0;
     if (staged.packsTerrain) {
         staged.blendMaps = partsOfMaps(scene.terrainCells, scene.textures);
         staged.bindings.terrain.ground = groundPagesOf(ground, textures->locations);
     }
-    staged.bindings.grainedMeshes &= choices.details; // else their programs are built when a frame needs them
-    staged.bindings.grainedLand &= choices.details;
     // Programs that can sample unneeded pages exist already; programs without them would have to be built.
     if (before.bindings && !textures->bindless && keepsPageNumbers(before.textures, *textures)) {
         include(before.bindings->meshes, staged.bindings.meshes);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 namespace limen::gpu {
@@ -60,6 +61,19 @@ MipLevel nextLevel(const MipLevel& from) {
     return to;
 }
 
+/// Two texels along a side, and the share of the second.
+struct Between {
+    std::size_t first = 0, second = 0;
+    double share = 0.0;
+};
+
+/// Around the middle of texel `at` of a side of `newSize`, of a picture that repeats.
+Between between(std::uint32_t at, std::uint32_t newSize, std::uint32_t size) {
+    const double middle = (at + 0.5) * size / newSize + 0.5; // from the texel before the first
+    const auto next = static_cast<std::size_t>(middle);
+    return {(next + size - 1) % size, next % size, middle - std::floor(middle)};
+}
+
 } // namespace
 
 std::uint32_t mipLevelCount(std::uint32_t width, std::uint32_t height) {
@@ -89,6 +103,33 @@ MipLevel enlarged(std::uint32_t width, std::uint32_t height, std::span<const std
         for (std::uint32_t x = 0; x < newWidth; ++x) {
             const std::uint64_t column = std::uint64_t{x} * width / newWidth;
             std::memcpy(&out.rgba[(std::size_t{y} * newWidth + x) * 4], &rgba[(row * width + column) * 4], 4);
+        }
+    }
+    return out;
+}
+
+MipLevel resized(std::span<const MipLevel> levels, std::uint32_t width, std::uint32_t height) {
+    LIMEN_ASSERT(!levels.empty() && width >= 1 && height >= 1, "a picture");
+    const auto isSmaller = [&](const MipLevel& level) {
+        return level.width < width || level.height < height;
+    };
+    const auto smaller = std::find_if(levels.begin(), levels.end(), isSmaller);
+    const MipLevel& from = smaller == levels.begin() ? levels.front() : *(smaller - 1);
+    MipLevel out{width, height, {}};
+    out.rgba.reserve(std::size_t{width} * height * 4);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        const Between rows = between(y, height, from.height);
+        for (std::uint32_t x = 0; x < width; ++x) {
+            const Between columns = between(x, width, from.width);
+            for (std::size_t c = 0; c < 4; ++c) {
+                const auto inRow = [&](std::size_t row) {
+                    const std::uint8_t* texels = &from.rgba[row * from.width * 4 + c];
+                    return std::lerp(double{1} * texels[columns.first * 4],
+                                     double{1} * texels[columns.second * 4], columns.share);
+                };
+                out.rgba.push_back(static_cast<std::uint8_t>(
+                    std::lround(std::lerp(inRow(rows.first), inRow(rows.second), rows.share))));
+            }
         }
     }
     return out;

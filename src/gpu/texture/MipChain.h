@@ -26,4 +26,8 @@ struct MipLevel {
 [[nodiscard]] MipLevel enlarged(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> rgba,
                                 std::uint32_t newWidth, std::uint32_t newHeight);
 
+/// A picture that repeats, given by its mipChain, at another size: its last level that is not smaller, bilinearly sampled
+/// at the middles of the new texels. A level of the same size comes out as it is.
+[[nodiscard]] MipLevel resized(std::span<const MipLevel> levels, std::uint32_t width, std::uint32_t height);
+
 } // namespace limen::gpu

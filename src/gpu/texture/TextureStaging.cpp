@@ -1,6 +1,7 @@
 #include "gpu/texture/TextureStaging.h"
 
 #include "gpu/DriverChoices.h"
+#include "gpu/texture/AtlasStaging.h"
 
 #include <algorithm>
 #include <numeric>
@@ -36,23 +37,15 @@ bool isAmong(std::span<const TextureContent> before, const TextureContent& conte
     return content.isKnown() && std::find(before.begin(), before.end(), content) != before.end();
 }
 
-/// Order by content, so that a page's layers do not depend on the order in which a world uses its textures.
-std::vector<std::uint32_t> orderOf(std::span<const frame::TextureUpload> pictures) {
-    std::vector<std::uint32_t> order(pictures.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return pictures[a].contentKey < pictures[b].contentKey;
-    });
-    return order;
-}
-
+/// Pages for the pictures of `order`.
 PageLayout layOut(std::span<const frame::TextureUpload> pictures, std::span<const std::uint32_t> order,
                   std::uint32_t maxPages, std::uint32_t maxLayers, std::span<const TextureContent> before) {
     std::vector<TextureClass> classes, pages;
     for (const std::uint32_t picture : order)
         classes.push_back(classOf(pictures[picture]));
     for (const TextureContent& content : before)
-        pages.push_back({content.shape.width, content.shape.height, content.shape.clamp});
+        if (!content.isAtlas)
+            pages.push_back({content.shape.width, content.shape.height, content.shape.clamp});
     PageLayout layout = layOutPages(classes, maxPages, maxLayers, pages);
     std::vector<TextureLocation> locations(pictures.size());
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -64,9 +57,13 @@ PageLayout layOut(std::span<const frame::TextureUpload> pictures, std::span<cons
 Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const TextureStoreOptions& options,
                         const Capabilities& capabilities, const Filter& filter,
                         std::span<const TextureContent> before, StagedTextures& out) {
+    const auto first = static_cast<std::uint32_t>(out.textures.size()); // 1 after an atlas
     const std::uint32_t units = capabilities.textureUnits - frame::gpu::kUnitFirstPage;
-    const std::uint32_t maxPages = options.pageLimit == 0 ? units : std::min(units, options.pageLimit);
-    PageLayout layout = layOut(pictures, orderOf(pictures), maxPages, capabilities.maxArrayLayers, before);
+    const std::uint32_t maxPages =
+        (options.pageLimit == 0 ? units : std::min(units, options.pageLimit)) - first;
+    std::vector<std::uint32_t> order = orderByContent(pictures);
+    std::erase_if(order, [&](std::uint32_t picture) { return !out.paged[picture]; });
+    PageLayout layout = layOut(pictures, order, maxPages, capabilities.maxArrayLayers, before);
     if (layout.pages.size() > maxPages) {
         return fail(ErrorCode::Unsupported, capabilities.renderer,
                     fmt::format("cannot hold {} textures in {} pages of {} layers; choose a smaller --radius",
@@ -79,12 +76,12 @@ Result<void> stagePages(std::span<const frame::TextureUpload> pictures, const Te
         texture.content.shape = shapeOf(page.shape, std::max(page.layers, 1u), filter);
         texture.content.keys.resize(page.layers);
     }
-    out.locations = std::move(layout.locations);
     out.resampled = layout.resampled;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const auto [page, layer] = out.locations[i];
-        out.textures[page].content.keys[layer] = pictures[i].contentKey;
-        out.stored.push_back(layout.pages[page].shape);
+    for (const std::uint32_t i : order) {
+        const auto [page, layer] = layout.locations[i];
+        out.locations[i] = {page + first, layer};
+        out.textures[page + first].content.keys[layer] = pictures[i].contentKey;
+        out.stored[i] = layout.pages[page].shape;
     }
     return {};
 }
@@ -95,21 +92,32 @@ void stageHandles(std::span<const frame::TextureUpload> pictures, const Filter& 
         StagedTexture& texture = out.textures.emplace_back();
         texture.label = fmt::format("texture {}", number);
         texture.content = {shapeOf(classOf(picture), 1, filter), {picture.contentKey}};
-        out.locations.push_back({number, 0});
-        out.stored.push_back(classOf(picture));
+        out.locations[number] = {number, 0};
     }
 }
 
 } // namespace
 
+std::vector<std::uint32_t> orderByContent(std::span<const frame::TextureUpload> pictures) {
+    std::vector<std::uint32_t> order(pictures.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return pictures[a].contentKey < pictures[b].contentKey;
+    });
+    return order;
+}
+
 TextureBinding bindingFor(const StagedTextures& staged, std::span<const std::uint32_t> pictures) {
     TextureBinding binding{staged.bindless, 0, {}, staged.byIndex};
     if (staged.bindless)
         return binding;
+    if (staged.hasAtlas())
+        binding.atlas =
+            AtlasPage{0, staged.textures[0].content.shape.width, staged.textures[0].content.shape.height};
     binding.pageCount = static_cast<std::uint32_t>(staged.textures.size());
     std::vector<bool> used(staged.textures.size(), false);
     for (const std::uint32_t picture : pictures)
-        if (picture != frame::gpu::kNoTexture)
+        if (picture != frame::gpu::kNoTexture && staged.paged[picture])
             used[staged.locations[picture].page] = true;
     for (std::uint32_t page = 0; page < binding.pageCount; ++page)
         if (used[page])
@@ -123,7 +131,7 @@ bool TextureContent::isKnown() const {
 
 Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictures,
                                      const TextureStoreOptions& options, const Capabilities& capabilities,
-                                     std::span<const TextureContent> before) {
+                                     std::span<const TextureContent> before, const TextureUses* uses) {
     if (options.mode == TextureMode::Bindless && !capabilities.bindless) {
         return fail(ErrorCode::Unsupported, capabilities.renderer,
                     "has no GL_ARB_bindless_texture; use --textures pages");
@@ -135,17 +143,27 @@ Result<StagedTextures> stageTextures(std::span<const frame::TextureUpload> pictu
     StagedTextures out;
     out.bindless = choices.bindless;
     out.byIndex = choices.pagesByIndex;
+    out.locations.resize(pictures.size());
+    out.inAtlas.resize(pictures.size());
+    out.paged.assign(pictures.size(), true);
+    for (const frame::TextureUpload& picture : pictures)
+        out.stored.push_back(classOf(picture));
+    const bool hasUnits = capabilities.textureUnits >= frame::gpu::kUnitFirstPage + 3; // and two for pages
+    if (uses != nullptr && hasUnits)
+        stageAtlas(pictures, *uses, capabilities, out);
     if (out.bindless)
         stageHandles(pictures, filter, out);
     else if (Result<void> staged = stagePages(pictures, options, capabilities, filter, before, out); !staged)
         return Failure(staged.error());
     for (StagedTexture& texture : out.textures) {
         texture.isShared = isAmong(before, texture.content);
-        texture.layers.resize(texture.isShared ? 0 : texture.content.keys.size());
+        texture.layers.resize(texture.isShared ? 0 : texture.content.shape.layers);
     }
+    if (out.hasAtlas() && !out.textures[0].isShared)
+        fillAtlas(pictures, out);
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const auto [texture, layer] = out.locations[i];
-        if (!out.textures[texture].isShared)
+        if (out.paged[i] && !out.textures[texture].isShared)
             out.textures[texture].layers[layer] = levelsFor(pictures[i], out.stored[i]);
     }
     return out;

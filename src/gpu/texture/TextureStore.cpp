@@ -53,8 +53,9 @@ TextureStore::TextureStore(Device& device, StagedTextures staged, const TextureS
 TextureStore::TextureStore(TextureStore&& other) noexcept
     : device_(other.device_), staged_(std::exchange(other.staged_, {})),
       shared_(std::exchange(other.shared_, {})), textures_(std::exchange(other.textures_, {})),
-      pages_(std::exchange(other.pages_, {})), refs_(std::exchange(other.refs_, {})), layer_(other.layer_),
-      level_(other.level_), row_(other.row_), isBegun_(other.isBegun_), isUnused_(other.isUnused_) {}
+      pages_(std::exchange(other.pages_, {})), refs_(std::exchange(other.refs_, {})),
+      pageRefs_(std::exchange(other.pageRefs_, {})), layer_(other.layer_), level_(other.level_),
+      row_(other.row_), isBegun_(other.isBegun_), isUnused_(other.isUnused_) {}
 
 TextureStore& TextureStore::operator=(TextureStore&& other) noexcept {
     std::swap(device_, other.device_);
@@ -63,6 +64,7 @@ TextureStore& TextureStore::operator=(TextureStore&& other) noexcept {
     std::swap(textures_, other.textures_);
     std::swap(pages_, other.pages_);
     std::swap(refs_, other.refs_);
+    std::swap(pageRefs_, other.pageRefs_);
     std::swap(layer_, other.layer_);
     std::swap(level_, other.level_);
     std::swap(row_, other.row_);
@@ -166,6 +168,14 @@ void TextureStore::writeRefs() {
                             ? makeRef(static_cast<std::uint32_t>(handle),
                                       static_cast<std::uint32_t>(handle >> 32), staged_.stored[i])
                             : makeRef(layer, texture, staged_.stored[i]));
+    }
+    if (staged_.hasAtlas())
+        pageRefs_ = refs_;
+    for (std::size_t i = 0; i < refs_.size() && staged_.hasAtlas(); ++i) {
+        if (const std::optional<AtlasEntry>& entry = staged_.inAtlas[i]) {
+            const frame::gpu::uvec2 place = atlasPlace(entry->stored, entry->spot);
+            refs_[i] = makeRef(place.x, place.y, entry->stored);
+        }
     }
     for (std::size_t i = 0; i < textures_.size() && !staged_.bindless; ++i)
         pages_.push_back(textures_[i]->texture());

@@ -54,6 +54,10 @@ public:
 
     /// For the shaders, one per picture in order.
     [[nodiscard]] std::span<const frame::gpu::TextureRef> refs() const { return refs_; }
+    /// Places in pages, for packTerrain; of pictures that are in the atlas alone 0.
+    [[nodiscard]] std::span<const frame::gpu::TextureRef> pageRefs() const {
+        return pageRefs_.empty() ? refs() : pageRefs_;
+    }
     /// Textures for the units from kUnitFirstPage on; empty if bindless.
     [[nodiscard]] std::span<const TextureHandle> pages() const { return pages_; }
     /// Texture binding of a program that samples these pictures (indices; kNoTexture is skipped).
@@ -78,8 +82,8 @@ private:
         shared_; ///< the previous store's textures, by staged texture; null: not shared
     std::vector<std::shared_ptr<ResidentTexture>> textures_;
     std::vector<TextureHandle> pages_;
-    std::vector<frame::gpu::TextureRef> refs_;
-    std::size_t layer_ = 0, level_ = 0; ///< next part to write of the current texture
+    std::vector<frame::gpu::TextureRef> refs_, pageRefs_; ///< the second if there is an atlas
+    std::size_t layer_ = 0, level_ = 0;                   ///< next part to write of the current texture
     std::uint32_t row_ = 0;
     bool isBegun_ = false, isUnused_ = false;
 };
