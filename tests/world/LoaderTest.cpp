@@ -1,6 +1,7 @@
 #include "world/Loader.h"
 
 #include "support/LoadTestWorld.h"
+#include "world/terrain/Terrain.h"
 
 namespace limen::world {
 namespace {
