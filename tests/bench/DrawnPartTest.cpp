@@ -39,14 +39,11 @@ protected:
     std::shared_ptr<const engine::LoadedPart> loaded_;
 };
 
-TEST_F(Grain, isLeftOutWhereTheProcessorDrawsFast_butForTheLookEnhanced) {
-    using gpu::Drawing;
-    using world::Look;
-    EXPECT_TRUE(isDrawn(false, Drawing::Fast, Look::Retail));
-    EXPECT_TRUE(isDrawn(false, Drawing::Exact, Look::Retail));
-    EXPECT_TRUE(isDrawn(true, Drawing::Exact, Look::Retail));
-    EXPECT_TRUE(isDrawn(true, Drawing::Fast, Look::Enhanced));
-    EXPECT_FALSE(isDrawn(true, Drawing::Fast, Look::Retail));
+TEST_F(Grain, isOnWallsOfEveryDriverWayAndLook) {
+    for (const bool software : {false, true})
+        for (const gpu::Drawing drawing : {gpu::Drawing::Fast, gpu::Drawing::Exact})
+            for (const world::Look look : {world::Look::Retail, world::Look::Enhanced})
+                EXPECT_TRUE(isDrawn(software, drawing, look)) << software;
 }
 
 } // namespace
