@@ -221,6 +221,19 @@ TEST_F(AtlasStagingTest, isSharedWithAScenesEqualAtlasOnly) {
     EXPECT_TRUE(staged(before).textures[1].isShared);
 }
 
+TEST_F(AtlasStagingTest, isNotSharedIfPicturesHaveOtherBordersOrPlaces) {
+    std::vector<TextureContent> before;
+    for (const StagedTexture& texture : staged().textures)
+        before.push_back(texture.content);
+    pictures_[2].clamp = true;
+    EXPECT_FALSE(staged(before).textures[0].isShared) << "its borders are clamped";
+    pictures_[2].clamp = false;
+    const TextureUses uses{{0, 1}, {0, 2}, {3, layout::kNoTexture}};
+    const Result<StagedTextures> moved = stageTextures(pictures_, {}, capabilities_, before, &uses);
+    ASSERT_TRUE(moved);
+    EXPECT_FALSE(moved->textures[0].isShared) << "the grain is of exteriors";
+}
+
 TEST_F(AtlasStagingTest, picturesThatDoNotFitAreInPages) {
     capabilities_.maxTextureSize = 1024;
     const StagedTextures textures = staged();

@@ -40,9 +40,8 @@ TextureUses usesOf(const frame::SceneUpload& upload, const GroundTextures& groun
 bool keepsPageNumbers(std::span<const TextureContent> before, const StagedTextures& textures) {
     const auto isAlike = [](const TextureContent& a, const StagedTexture& b) {
         const TextureShape &one = a.shape, &other = b.content.shape;
-        if (a.isAtlas || b.content.isAtlas)
-            return a.isAtlas && b.content.isAtlas; // programs do not know its size
-        return one.width == other.width && one.height == other.height && one.clamp == other.clamp;
+        return a.isAtlas == b.content.isAtlas && one.width == other.width && one.height == other.height &&
+               one.clamp == other.clamp;
     };
     return before.size() <= textures.textures.size() &&
            std::equal(before.begin(), before.end(), textures.textures.begin(), isAlike);

@@ -12,16 +12,16 @@ namespace {
 
 namespace layout = frame::gpu;
 
-/// Of layers that textures of up to 512 texels a side fit, so that programs, which have the size as a constant, seldom depend on
-/// the textures. Four textures of 128 texels fill a shelf. The next texel of a column is in other sets of a processor's cache,
+/// Texels of a layer. Textures of up to 512 texels a side fit. Programs have the size as a constant, so they seldom depend on the
+/// textures. Four textures of 128 texels fill a shelf. The next texel of a column is in other sets of a processor's cache,
 /// because the width is an odd number of cache lines.
 constexpr std::uint32_t kUsualWidth = 784, kUsualHeight = 2048;
 constexpr std::uint32_t kCacheLine = 16; // texels
 constexpr std::uint32_t kMostLayers = 256;
 constexpr std::uint32_t kBorder = 1;
 
-/// Corner of a level's border from that of level 0. Level 0 is on the left, the others are below each other beside it. Three
-/// rows between them are two borders, and one for a level that has one row although half of none is none.
+/// Corner of a level's border from that of level 0. Level 0 is on the left, the others are below each other beside it. Of the three
+/// rows between them two are borders. The third is for levels of one row, whose height has no further half.
 AtlasSpot levelCorner(std::uint32_t width, std::uint32_t height, std::uint32_t level) {
     if (level == 0)
         return {};

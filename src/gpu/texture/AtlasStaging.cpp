@@ -7,6 +7,9 @@ namespace {
 
 namespace layout = frame::gpu;
 
+/// Follow the key of each picture among an atlas' keys: the same pictures differ in their borders and places by them. Not 0.
+constexpr std::uint64_t kRepeatedUse = 1, kClampedUse = 2, kFirstGrainUse = 3;
+
 std::vector<bool> among(std::span<const std::uint32_t> pictures, std::size_t count) {
     std::vector<bool> out(count, false);
     for (const std::uint32_t picture : pictures)
@@ -53,12 +56,14 @@ void stageAtlas(std::span<const frame::TextureUpload> pictures, const TextureUse
     out.paged = onGround;
     for (std::size_t m = 0; m < members.size(); ++m) {
         out.inAtlas[members[m]] = AtlasEntry{classes[m], layout->spots[m]};
-        atlas.content.keys.push_back(pictures[members[m]].contentKey);
+        const std::uint64_t use = classes[m].clamp ? kClampedUse : kRepeatedUse;
+        atlas.content.keys.insert(atlas.content.keys.end(), {pictures[members[m]].contentKey, use});
     }
     for (std::size_t g = 0; g < uses.grains.size(); ++g) {
         out.grains[g] = uses.grains[g];
         if (uses.grains[g] != layout::kNoTexture)
-            atlas.content.keys.push_back(pictures[uses.grains[g]].contentKey);
+            atlas.content.keys.insert(atlas.content.keys.end(),
+                                      {pictures[uses.grains[g]].contentKey, kFirstGrainUse + g});
     }
 }
 

@@ -38,7 +38,8 @@ struct TextureStoreOptions {
 /// Content of a texture on a device.
 struct TextureContent {
     TextureShape shape;
-    std::vector<std::uint64_t> keys{}; ///< frame::TextureUpload::contentKey, by layer; of an atlas by picture
+    std::vector<std::uint64_t>
+        keys{}; ///< frame::TextureUpload::contentKey, by layer; of an atlas by picture, each with its use
     bool isAtlas = false;
     /// Whether equal content means the same texture: all keys are known.
     [[nodiscard]] bool isKnown() const;
