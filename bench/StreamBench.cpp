@@ -178,7 +178,7 @@ void addRows(const std::string& scene, const Result<Flight>& flight, std::vector
 } // namespace
 
 std::vector<BenchRow> benchStream(AllocationCounter) {
-    engine::tuneHeap(); // as in the viewer
+    engine::tuneHeapForHours(); // as in the viewer
     const TemporaryDirectory builtIn("stream-built-in"), generated("stream-generated");
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, const TemporaryDirectory& directory, bool whole,
@@ -209,7 +209,7 @@ std::vector<BenchRow> benchStream(AllocationCounter) {
 }
 
 std::vector<BenchRow> benchStreamOver(const std::string& dat) {
-    engine::tuneHeap();
+    engine::tuneHeapForHours();
     std::vector<BenchRow> rows;
     const auto measure = [&](const std::string& scene, gpu::Device& device) {
         Result<engine::WorldSource> source = engine::openWorldSource(dat);
@@ -228,7 +228,7 @@ std::vector<BenchRow> benchStreamOver(const std::string& dat) {
 }
 
 std::vector<BenchRow> benchPlaced(AllocationCounter) {
-    engine::tuneHeap();
+    engine::tuneHeapForHours();
     const TemporaryDirectory directory("placed");
     const Result<void> written = inChildProcess([&]() -> Result<void> {
         return worlds::writeGeneratedWorld({worlds::GeneratedKind::Map, kMapCells}, directory.path())

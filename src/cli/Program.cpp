@@ -3,6 +3,7 @@
 #include "cli/help/ParseFailure.h"
 #include "core/platform/Environment.h"
 #include "core/platform/Files.h"
+#include "engine/HeapTuning.h"
 
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -32,6 +33,7 @@ Exit reportParse(const CLI::App& program, const CLI::ParseError& error, const Co
 }
 
 Exit runChoice(const Choice& choice, const Console& console) {
+    choice.runsForHours ? engine::tuneHeapForHours() : engine::tuneHeapForOneRun();
     const Result<Exit> done = choice.run();
     if (!done) {
         console.error(done.error());

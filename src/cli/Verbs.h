@@ -16,6 +16,7 @@ namespace limen::cli {
 /// The chosen verb, ready to run.
 struct Choice {
     std::function<Result<Exit>()> run;
+    bool runsForHours = false; ///< the others end when they have drawn, traced or written
 };
 
 void addDoctorVerb(CLI::App& program, const Console& console, Choice& choice);

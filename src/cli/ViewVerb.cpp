@@ -4,7 +4,6 @@
 #include "cli/ShotRequest.h"
 #include "cli/Verbs.h"
 #include "cli/world/PlacedImport.h"
-#include "engine/HeapTuning.h"
 #include "output/OutputFile.h"
 #include "viewer/Signals.h"
 #include "viewer/StateJson.h"
@@ -224,7 +223,6 @@ Result<Exit> importFirst(const ViewOptions& options, const Console& console) {
 }
 
 Result<Exit> runView(const ViewOptions& options, const Console& console) {
-    engine::tuneHeap();
     if (Result<Exit> imported = importFirst(options, console); !imported || *imported != Exit::Done)
         return imported;
     viewer::Signals signals; // before threads start
@@ -336,6 +334,7 @@ void addViewVerb(CLI::App& program, const Console& console, Choice& choice) {
     verb->callback([&console, &choice, options, verb] {
         for (const char* name : {"--quality", "--radius", "--far", "--detail", "--msaa"})
             options->isQualityGiven = options->isQualityGiven || verb->count(name) > 0;
+        choice.runsForHours = true;
         choice.run = [&console, options] { return runView(*options, console); };
     });
 }
