@@ -7,8 +7,8 @@
 // are dropped only with EXACT outlines: there a ray through the pixel centre decides, so a triangle clear of all
 // centres shows nothing, however the rasteriser snaps it.
 //
-// Modes (cullMode): the draws of walls and ground, or all draws; the depth tiles, when walls and ground are drawn; the other
-// draws, without triangles that are behind the depth tiles.
+// Modes (cullMode): the draws of walls and ground, or all draws; the other draws, without triangles that are behind the depth
+// tiles. A grid of kTileLayers layers finds the depth tiles, when walls and ground are drawn.
 #include "Tolerances.h"
 #include "frommodel.glsl"
 #include "levels.glsl"
@@ -166,8 +166,10 @@ void coverTile(uint number) {
 
 void main() {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    if (cullMode == kCullDepthTiles) {
-        coverTile(group * kCullThreads + gl_LocalInvocationID.x);
+    if (gl_NumWorkGroups.z == kTileLayers) {
+        if (gl_WorkGroupID.z == 0u) {
+            coverTile(group * kCullThreads + gl_LocalInvocationID.x);
+        }
         return;
     }
     bool isFirst = cullMode == kCullOccluders;

@@ -370,12 +370,13 @@ LIMEN_STRUCT(DrawPiece) {
     uint indicesBefore LIMEN_ZERO; // of all earlier pieces of its array
 };
 
-// Modes of cull.comp, a uniform that is set once for each of its three program objects.
+// Modes of cull.comp, a uniform that is set once for each of its two program objects.
 LIMEN_CONST kUniformCullMode = 0;
-LIMEN_CONST kCullOccluders = 0u;  // slots before firstOccludee: walls and ground; without occlusion all slots
-LIMEN_CONST kCullDepthTiles = 1u; // no slots: finds the farthest depth of each tile
-LIMEN_CONST kCullOccludees = 2u;  // slots from firstOccludee on, also tested against the depth tiles
-LIMEN_CONST kCullModes = 3u;
+LIMEN_CONST kCullOccluders = 0u; // slots before firstOccludee: walls and ground; without occlusion all slots
+LIMEN_CONST kCullOccludees = 1u; // slots from firstOccludee on, also tested against the depth tiles
+LIMEN_CONST kCullModes = 2u;
+// Layers of a grid of work groups that finds the farthest depth of each tile, with the program for occludees. Only the first works.
+LIMEN_CONST kTileLayers = 2u;
 
 LIMEN_CONST kTileSize = 8u;   // pixels per side
 LIMEN_CONST kMostTiles = 64u; // a triangle over more tiles is not tested for occlusion

@@ -33,7 +33,10 @@ Exit reportParse(const CLI::App& program, const CLI::ParseError& error, const Co
 }
 
 Exit runChoice(const Choice& choice, const Console& console) {
-    choice.runsForHours ? engine::tuneHeapForHours() : engine::tuneHeapForOneRun();
+    if (choice.runsForHours)
+        engine::tuneHeapForHours();
+    else
+        engine::tuneHeapForOneRun();
     const Result<Exit> done = choice.run();
     if (!done) {
         console.error(done.error());

@@ -4,7 +4,7 @@
 
 namespace limen::gpu {
 
-/// Buffer for the farthest depth of each tile of a picture (kCullDepthTiles of shaders/cull.comp). The device
+/// Buffer for the farthest depth of each tile of a picture (shaders/cull.comp, kTileLayers). The device
 /// must outlive it.
 class DepthTiles {
 public:

@@ -39,10 +39,9 @@ void addToGroups(const layout::RunOffsets& offsets, std::uint32_t run, std::uint
 
 Result<DrawCulling> DrawCulling::create(Device& device, std::span<const std::string> defines, Culling which) {
     // One program object per mode, from one source, so that selecting a mode costs a frame no call beside
-    // glUseProgram. Three programs that use different buffers crash zink (Mesa 25):
+    // glUseProgram. Programs that use different buffers crash zink (Mesa 25):
     // docs/decisions/0119-culling-mode-is-a-uniform.md.
-    constexpr std::array<const char*, layout::kCullModes> kNames{"cull occluders", "depth tiles",
-                                                                 "cull occludees"};
+    constexpr std::array<const char*, layout::kCullModes> kNames{"cull occluders", "cull occludees"};
     CullPrograms programs;
     for (std::uint32_t mode = 0; mode < layout::kCullModes; ++mode) {
         const Result<ProgramHandle> program =
@@ -131,19 +130,18 @@ void DrawCulling::describe(layout::DeviceConstants& constants) const {
     constants.flags |= drawsStaticIndices_ ? layout::kFrameStaticIndices : 0;
 }
 
-void DrawCulling::run(std::uint32_t mode, std::uint32_t groups) {
-    device_->compute(programs_[mode].get(), WorkGroups::atLeast(groups));
-}
-
 void DrawCulling::cull() {
-    run(layout::kCullOccluders, firstOccludee_);
+    device_->compute(programs_[layout::kCullOccluders].get(), WorkGroups::atLeast(firstOccludee_));
 }
 
 void DrawCulling::cullOccluded() {
     LIMEN_ASSERT(usesOcclusion_, "all slots were culled first");
     constexpr std::uint32_t kThreads = layout::kCullThreads;
-    run(layout::kCullDepthTiles, (tiles_.count() + kThreads - 1) / kThreads);
-    run(layout::kCullOccludees, slotCount_ - firstOccludee_);
+    device_->readDrawn();                                                  // the depth so far
+    const ProgramHandle program = programs_[layout::kCullOccludees].get(); // of both, which saves a GL call
+    device_->compute(program,
+                     WorkGroups::atLeast((tiles_.count() + kThreads - 1) / kThreads, layout::kTileLayers));
+    device_->compute(program, WorkGroups::atLeast(slotCount_ - firstOccludee_));
 }
 
 } // namespace limen::gpu

@@ -61,8 +61,6 @@ private:
     [[nodiscard]] Result<void> reserve(std::size_t indices);
     /// True on success, else records the failure. Later frames retry, up to kMostFailures times.
     [[nodiscard]] bool isMade(const Result<void>& made);
-    /// `mode`: kCull... of SharedLayout.h.
-    void run(std::uint32_t mode, std::uint32_t groups);
 
     Device* device_;
     CullPrograms programs_;

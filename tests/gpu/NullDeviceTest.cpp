@@ -208,13 +208,30 @@ TEST_F(NullDeviceTest, occlusionTakesTwoPassesMore_andCanBeSwitchedOff) {
         EXPECT_EQ(uniforms[0].location, layout::kUniformCullMode);
         modes.push_back(uniforms[0].value);
     }
-    EXPECT_EQ(modes, (std::vector<std::uint32_t>{layout::kCullOccluders, layout::kCullDepthTiles,
+    EXPECT_EQ(modes, (std::vector<std::uint32_t>{layout::kCullOccluders, layout::kCullOccludees,
                                                  layout::kCullOccludees}));
     const std::uint32_t calls = renderer_.report().glCalls;
     Result<RenderTarget> target = RenderTarget::create(device_, 8, 8);
     ASSERT_TRUE(renderer_.render(scene.finish(), *target, {.occlusion = false}));
     EXPECT_EQ(of(CommandKind::Compute).size(), 1u);
     EXPECT_EQ(renderer_.report().glCalls + 6, calls);
+}
+
+TEST_F(NullDeviceTest, depthTilesAreFoundWhenTheDepthSoFarMayBeRead) {
+    SceneBuilder scene;
+    scene.root(0);
+    scene.addWall('A', {-1, -1}, {1, 1}, 1);
+    draw(scene);
+    std::vector<CommandKind> order;
+    for (const NullDevice::Command& command : device_.commands())
+        if (command.kind == CommandKind::Compute || command.kind == CommandKind::DrawIndirect ||
+            command.kind == CommandKind::ReadDrawn)
+            order.push_back(command.kind);
+    ASSERT_GE(order.size(), 5u);
+    order.resize(5);
+    EXPECT_THAT(order,
+                ::testing::ElementsAre(CommandKind::Compute, CommandKind::ReadDrawn, CommandKind::Compute,
+                                       CommandKind::Compute, CommandKind::DrawIndirect));
 }
 
 TEST_F(NullDeviceTest, withoutExactOutlinesAllTrianglesAreDrawn) {

@@ -5,9 +5,9 @@
 
 namespace limen::gpu {
 
-WorkGroups WorkGroups::atLeast(std::uint32_t count) {
+WorkGroups WorkGroups::atLeast(std::uint32_t count, std::uint32_t layers) {
     const std::uint32_t rows = std::max((count + kMostGroups - 1) / kMostGroups, 1u);
-    return {(count + rows - 1) / rows, rows};
+    return {(count + rows - 1) / rows, rows, layers};
 }
 
 StateTracker::Changes StateTracker::apply(const DrawState& next) {

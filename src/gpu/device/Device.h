@@ -146,9 +146,9 @@ inline constexpr std::uint32_t kMostGroups = 65535;
 
 /// Grid of work groups of a compute dispatch.
 struct WorkGroups {
-    std::uint32_t columns = 1, rows = 1;
-    /// A grid of at least `count` groups, in rows of equal length within kMostGroups.
-    [[nodiscard]] static WorkGroups atLeast(std::uint32_t count);
+    std::uint32_t columns = 1, rows = 1, layers = 1;
+    /// A grid of at least `count` groups a layer, in rows of equal length within kMostGroups.
+    [[nodiscard]] static WorkGroups atLeast(std::uint32_t count, std::uint32_t layers = 1);
 };
 
 /// Frames in flight at most.
@@ -229,9 +229,10 @@ public:
     /// frame's ring memory, a multiple of the record's size. Those of the next records follow.
     [[nodiscard]] virtual std::uint32_t baseInstanceAt(std::size_t offset) const = 0;
     /// Later draws of the frame may read the target's bound images: the pixel that they write, once, or others that they do not write.
+    /// Later compute programs may read all pixels.
     virtual void readDrawn() = 0;
-    /// Runs a compute program in a grid of work groups. It may read all images drawn so far. Later draws see
-    /// its output as commands and indices, later programs as storage.
+    /// Runs a compute program in a grid of work groups. It may read images of the current pass as they were at the last
+    /// readDrawn (OpenGL 4.6, 9.3.1), and all others. Later draws see its output as commands and indices, later programs as storage.
     virtual void compute(ProgramHandle program, const WorkGroups& groups) = 0;
     virtual void clear(TargetImage image, const ClearValue& value) = 0;
     /// Clears the colour of the current pass, and its depth to 0, in one call. Requires Pass::SolidNoIds.

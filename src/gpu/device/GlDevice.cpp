@@ -194,7 +194,7 @@ std::uint32_t GlDevice::baseInstanceAt(std::size_t offset) const {
 
 void GlDevice::compute(ProgramHandle program, const WorkGroups& groups) {
     setState(state_.with(program));
-    call(glDispatchCompute, GLuint{groups.columns}, GLuint{groups.rows}, 1u);
+    call(glDispatchCompute, GLuint{groups.columns}, GLuint{groups.rows}, GLuint{groups.layers});
     call(glMemoryBarrier,
          GLbitfield{GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT});
 }

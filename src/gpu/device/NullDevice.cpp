@@ -186,7 +186,8 @@ void NullDevice::readDrawn() {
 void NullDevice::compute(ProgramHandle program, const WorkGroups& groups) {
     LIMEN_ASSERT(std::max(groups.columns, groups.rows) <= kMostGroups, "within the limit of every driver");
     const std::uint32_t changes = state_.apply(state_.with(program)).count();
-    record(CommandKind::Compute, static_cast<std::size_t>(program), std::size_t{groups.columns} * groups.rows,
+    record(CommandKind::Compute, static_cast<std::size_t>(program),
+           std::size_t{groups.columns} * groups.rows * groups.layers,
            changes + 2); // plus the memory barrier
 }
 
