@@ -58,11 +58,13 @@ std::size_t keptOfAnArray() {
 bool heapHasLargePages() {
     std::ifstream maps("/proc/self/smaps");
     bool isHeap = false, found = false;
-    for (std::string line; std::getline(maps, line);) {
-        if (line.find('-') < line.find(' ') && line.find(' ') != std::string::npos &&
-            line.find(':') > line.find(' '))
-            isHeap = line.find("[heap]") != std::string::npos;
-        found = found || (isHeap && line.starts_with("VmFlags:") && line.find(" hg") != std::string::npos);
+    for (std::string line;
+         std::getline(maps, line);) { // a mapping's first line names it, its last has the flags
+        isHeap = isHeap || line.ends_with("[heap]");
+        if (!line.starts_with("VmFlags:"))
+            continue;
+        found = found || (isHeap && line.find(" hg") != std::string::npos);
+        isHeap = false;
     }
     return found;
 }
