@@ -18,7 +18,8 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 
 find_program(LIMEN_CCACHE ccache)
 if(LIMEN_CCACHE AND PROJECT_IS_TOP_LEVEL)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${LIMEN_CCACHE})
+    # Without these settings ccache compiles each source that uses a precompiled header again.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${LIMEN_CCACHE})
 endif()
 
 add_library(limen_flags INTERFACE)
@@ -70,17 +71,58 @@ function(limen_unite target)
     endforeach()
 endfunction()
 
+# GCC collects garbage from 128 MiB on, which takes a tenth of the time of united sources.
+if(LIMEN_UNITE)
+    target_compile_options(limen_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
+endif()
+
+# limen_share_headers(target set): where sources are united, headers that nearly all sources include are compiled once for all
+# targets of a set. These must have the same options: `library` and `program` for rooms, `test`. GCC forgets that a precompiled
+# header is one of the system, and then warns of it where it optimises; so with GCC only `test`, which is not optimised, shares them.
+function(limen_share_headers target set)
+    if(NOT LIMEN_UNITE OR CMAKE_CROSSCOMPILING OR (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT set STREQUAL "test"))
+        return()
+    endif()
+    if(NOT TARGET limen_headers_${set})
+        set(empty ${PROJECT_BINARY_DIR}/limen_headers.cpp)
+        file(CONFIGURE OUTPUT ${empty} CONTENT "// The headers of limen_share_headers.\n")
+        add_library(limen_headers_${set} OBJECT ${empty})
+        target_link_libraries(limen_headers_${set} PRIVATE limen_flags)
+        # For ccache, which needs to know what a precompiled header is made of, and no times within.
+        target_compile_options(limen_headers_${set} PUBLIC $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+            $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
+        set(headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>)
+        if(set STREQUAL "library")
+            limen_make_library_room(limen_headers_library)
+        elseif(set STREQUAL "test")
+            target_link_libraries(limen_headers_test PRIVATE GTest::gtest GTest::gmock)
+            target_compile_options(limen_headers_test PRIVATE ${LIMEN_TEST_OPTIONS})
+            list(APPEND headers <fstream> <random> <set> <gtest/gtest.h> <gmock/gmock.h>)
+        endif()
+        target_precompile_headers(limen_headers_${set} PRIVATE ${headers})
+    endif()
+    target_precompile_headers(${target} REUSE_FROM limen_headers_${set})
+    target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:limen_headers_${set},INTERFACE_COMPILE_OPTIONS>)
+endfunction()
+
 # The rooms that the libraries for other projects are made of. Their objects also go into shared libraries, and only
 # declarations with LIMEN_API are exported.
 set(LIMEN_LIBRARY_ROOMS core geometry visibility dat worlds placements world motion frame gpu reference check engine)
+
+# limen_make_library_room(target): options of a target whose objects also go into shared libraries.
+function(limen_make_library_room target)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
 
 # limen_room(name sources...): a library for a folder of src, with the alias limen_room::name. Its headers are
 # included as "name/Header.h". The libraries for other projects are limen::name (LimenProduct.cmake).
 function(limen_room name)
     add_library(limen_${name} STATIC ${ARGN})
     add_library(limen_room::${name} ALIAS limen_${name})
+    set(headers program)
     if(name IN_LIST LIMEN_LIBRARY_ROOMS)
-        set_target_properties(limen_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+        set(headers library)
+        limen_make_library_room(limen_${name})
         if(WIN32 AND BUILD_SHARED_LIBS)
             target_compile_definitions(limen_${name} PRIVATE LIMEN_BUILDS_SHARED)
         endif()
@@ -95,6 +137,9 @@ function(limen_room name)
         target_compile_options(limen_${name} PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table)
     endif()
     limen_unite(limen_${name})
+    if(NOT LIMEN_BUILD_FUZZERS OR NOT name STREQUAL "dat") # else its options are not those of its set
+        limen_share_headers(limen_${name} ${headers})
+    endif()
 endfunction()
 
 # limen_test(name [TOGETHER] [BUSY] [LONG] [WHOLE] LABELS l... SOURCES s... LINK t...): a gtest program. Each suite is
@@ -108,6 +153,8 @@ if(LIMEN_BUILD_TESTS)
     add_custom_target(unlabelled_tests)
     add_custom_target(whole_world_tests)
 endif()
+# EXPECT_... and ASSERT_... are if-else statements; GCC warns where one is the only statement of an `if`.
+set(LIMEN_TEST_OPTIONS -Wno-dangling-else -O0)
 function(limen_test name)
     cmake_parse_arguments(ARG "TOGETHER;BUSY;LONG;WHOLE" "" "LABELS;SOURCES;LINK" ${ARGN})
     add_executable(${name} ${ARG_SOURCES})
@@ -116,16 +163,17 @@ function(limen_test name)
     if(NOT LIMEN_SANITIZE)
         target_link_libraries(${name} PRIVATE limen_test_crashes limen_room::core)
     endif()
-    # EXPECT_... and ASSERT_... are if-else statements; GCC warns where one is the only statement of an `if`.
-    target_compile_options(${name} PRIVATE -Wno-dangling-else)
     limen_unite(${name})
     if(ARG_WHOLE)
         add_dependencies(whole_world_tests ${name})
     elseif(NOT ARG_LABELS)
         add_dependencies(unlabelled_tests ${name})
     endif()
-    if(NOT ARG_BUSY)
-        target_compile_options(${name} PRIVATE -O0)
+    if(ARG_BUSY)
+        target_compile_options(${name} PRIVATE -Wno-dangling-else)
+    else()
+        target_compile_options(${name} PRIVATE ${LIMEN_TEST_OPTIONS})
+        limen_share_headers(${name} test)
     endif()
     set(cost 0)
     if(ARG_LONG)

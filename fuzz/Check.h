@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/Error.h"
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -11,3 +13,13 @@
             std::abort();                                                                                    \
         }                                                                                                    \
     } while (false)
+
+namespace limen::fuzz {
+
+/// Aborts if a text was refused without a reason.
+template <class T>
+void expectReason(const Result<T>& read) {
+    FUZZ_CHECK(read.has_value() || !read.error().what.empty());
+}
+
+} // namespace limen::fuzz

@@ -7,9 +7,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <span>
 
 // Writes corpora for the fuzzers: fuzz_make_corpus DIRECTORY makes DIRECTORY/container, DIRECTORY/records,
-// DIRECTORY/text, DIRECTORY/sql, and DIRECTORY/kinds/NAME for each kind of record.
+// DIRECTORY/world_file, DIRECTORY/lines, DIRECTORY/sql, and DIRECTORY/kinds/NAME for each kind of record.
 namespace {
 
 using namespace limen::dat;
@@ -58,22 +59,32 @@ bool saveFiles(const fs::path& directory) {
     return good;
 }
 
-bool saveTexts(const fs::path& directory) {
-    // The first byte selects the parser in TextFuzzer.
-    const char* const texts[] = {
-        R"(0{"places":{"a":{"eye":[1,2,3],"yaw":90,"pitch":-5,"cell":"0x00010100"}},"tour":[{"x":1,"y":2,"z":3}]})",
-        R"(0{"doors":[{"name":"d","cell":"0x00010100","portal":0,"opaque":true,"open":0.5,"leaves":[{"model":"0x01000001","hinge":[1,2,3],"yaw":0,"swing":90}]}]})",
-        R"(0{"routes":{"r":{"points":[{"at":[1,2,3],"cell":0},{"at":[4,5,6],"cell":0}]}},"villagers":[{"name":"v","route":"r","model":"0x02000001","speed":1}]})",
-        R"(1{"format":"limen walk","version":1,"start":"--eye 1,2,3"}
-{"forward":1.0,"seconds":0.03,"size":[64,36],"decided":"0123456789abcdef"}
-)",
-        "2--eye 1,2,3 --yaw 90 --pitch -5 --time 0.3 --weather rain",
-        "2--at 42.1N,33.6E --root outside --doors half --body 1,2,3 --door d=0.5"};
+/// Saves each text as a file of its own, named by its number.
+bool saveAll(const fs::path& directory, std::span<const char* const> texts) {
     bool good = true;
     int number = 0;
     for (const char* text : texts)
         good = save(directory / std::to_string(number++), text) && good;
     return good;
+}
+
+bool saveWorldFiles(const fs::path& directory) {
+    constexpr const char* texts[] = {
+        R"({"places":{"a":{"eye":[1,2,3],"yaw":90,"pitch":-5,"cell":"0x00010100"}},"tour":[{"x":1,"y":2,"z":3}]})",
+        R"({"doors":[{"name":"d","cell":"0x00010100","portal":0,"opaque":true,"open":0.5,"leaves":[{"model":"0x01000001","hinge":[1,2,3],"yaw":0,"swing":90}]}]})",
+        R"({"routes":{"r":{"points":[{"at":[1,2,3],"cell":0},{"at":[4,5,6],"cell":0}]}},"villagers":[{"name":"v","route":"r","model":"0x02000001","speed":1}]})"};
+    return saveAll(directory, texts);
+}
+
+bool saveLines(const fs::path& directory) {
+    // The first byte selects the parser in LinesFuzzer.
+    constexpr const char* texts[] = {
+        R"(0{"format":"limen walk","version":1,"start":"--eye 1,2,3"}
+{"forward":1.0,"seconds":0.03,"size":[64,36],"decided":"0123456789abcdef"}
+)",
+        "1--eye 1,2,3 --yaw 90 --pitch -5 --time 0.3 --weather rain",
+        "1--at 42.1N,33.6E --root outside --doors half --body 1,2,3 --door d=0.5"};
+    return saveAll(directory, texts);
 }
 
 bool saveSql(const fs::path& directory) {
@@ -90,11 +101,8 @@ bool saveSql(const fs::path& directory) {
     constexpr const char* quoted = "\x10INSERT INTO weenie VALUES (7,'a\\'b',1,NOW());-- x\nINSERT INTO "
                                    "weenie_properties_string VALUES (1,7,1,\"n\");";
     constexpr const char* url = "\x20mariadb://ann@host:3306/world?socket=/run/s";
-    bool good = true;
-    int number = 0;
-    for (const char* text : {rows, placed, quoted, url})
-        good = save(directory / std::to_string(number++), text) && good;
-    return good;
+    constexpr const char* texts[] = {rows, placed, quoted, url};
+    return saveAll(directory, texts);
 }
 
 } // namespace
@@ -104,16 +112,15 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "usage: fuzz_make_corpus DIRECTORY\n");
         return 2;
     }
-    const fs::path container = fs::path(argv[1]) / "container";
-    const fs::path records = fs::path(argv[1]) / "records";
     std::error_code error;
-    fs::create_directories(container, error);
-    fs::create_directories(records, error);
-    const fs::path texts = fs::path(argv[1]) / "text";
-    fs::create_directories(texts, error);
-    const fs::path sql = fs::path(argv[1]) / "sql";
-    fs::create_directories(sql, error);
-    bool good = saveTexts(texts) && saveSql(sql) && saveFiles(container);
+    const auto made = [&](const char* name) {
+        const fs::path directory = fs::path(argv[1]) / name;
+        fs::create_directories(directory, error);
+        return directory;
+    };
+    const fs::path records = made("records");
+    bool good = saveWorldFiles(made("world_file")) && saveLines(made("lines")) && saveSql(made("sql")) &&
+                saveFiles(made("container"));
     RecordTypes::forEach([&]<class Record>(std::type_identity<Record>) {
         constexpr RecordKind kKind = kKindOf<Record>;
         const fs::path alone = fs::path(argv[1]) / "kinds" / nameOf(kKind);
