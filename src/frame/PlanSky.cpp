@@ -12,31 +12,31 @@ namespace limen::frame {
 namespace {
 
 /// The origin of sun, moon and domes, global.
-Vec3 originOfSky(const world::World& world, const visibility::View& view) {
-    const auto corner = [&view](double side) {
-        return Vec3(std::floor(view.eye.x / side) * side, std::floor(view.eye.y / side) * side, 0.0);
+Vec3 originOfSky(const world::World& world, const Vec3& eye, world::SpaceIndex space) {
+    const auto corner = [&eye](double side) {
+        return Vec3(std::floor(eye.x / side) * side, std::floor(eye.y / side) * side, 0.0);
     };
     switch (world.readings.skyPlace) {
     case world::SkyPlace::Block:
         return corner(world::kBlockSize);
     case world::SkyPlace::Cell:
-        return view.root != world::kOutside ? world.spaces[view.root].origin : corner(world::kLandcellSize);
+        return space != world::kOutside ? world.spaces[space].origin : corner(world::kLandcellSize);
     case world::SkyPlace::Eye:
         break;
     }
-    return view.eye;
+    return eye;
 }
 
 constexpr double kSkyMargin = 0.01; ///< NDC
 
 } // namespace
 
-void placeSky(const world::World& world, const FrameView& frame,
+void placeSky(const world::World& world, const FrameView& frame, world::SpaceIndex space,
               std::vector<world::SkyPlacement>& placements) {
     world::skyPlacements(world.sky,
                          {frame.dayGroup, world::timeOfSky(world.sky, frame.timeOfDay), frame.seconds,
-                          frame.view.eye.z, frame.view.root == world::kOutside,
-                          originOfSky(world, frame.view) - frame.view.eye},
+                          frame.view.eye.z, space == world::kOutside,
+                          originOfSky(world, frame.view.eye, space) - frame.view.eye},
                          placements);
     world::leaveOutCovered(world.sky, placements);
 }

@@ -9,8 +9,9 @@
 
 namespace limen::frame {
 
-/// Overwrites `placements` with the sky objects of a frame, but those that others cover.
-void placeSky(const world::World& world, const FrameView& frame,
+/// Overwrites `placements` with the sky objects of a frame, but those that others cover. `space`: the space in which the eye's
+/// rays begin, that of the first visit. An eye that has just passed an opening is not in the view's root.
+void placeSky(const world::World& world, const FrameView& frame, world::SpaceIndex space,
               std::vector<world::SkyPlacement>& placements);
 
 /// A rectangle of FramePlan::rects that contains all directions at or below an elevation with this sine; the whole window for 0

@@ -261,7 +261,7 @@ void Planner::planSky(const FrameView& frame, const visibility::VisibleSet& set,
         planPlainSky(set, openings, plan);
     if (!seesSky)
         return;
-    placeSky(world_, frame, sky_);
+    placeSky(world_, frame, set.visits.front().space, sky_);
     // Where voids are drawn, the depth keeps objects behind everything out of them.
     const bool overLand = std::any_of(sky_.begin(), sky_.end(),
                                       [](const world::SkyPlacement& placed) { return placed.isOverLand; });

@@ -69,7 +69,7 @@ struct MoonlitRooms {
 Vec3 originSeenFrom(PlannedWorld& planned, const Vec3& local, world::SpaceIndex root) {
     const frame::FrameView view = frame::makeView(planned.origin + local, 0.0, 0.0, 75.0, 320, 200, root);
     std::vector<world::SkyPlacement> placements;
-    frame::placeSky(planned.world, view, placements);
+    frame::placeSky(planned.world, view, root, placements);
     EXPECT_EQ(placements.size(), 1u);
     return placements.empty() ? Vec3(0.0) : view.view.eye + Vec3(placements[0].offset);
 }
@@ -96,6 +96,22 @@ TEST(PlaceSky, isAroundTheEye_theCornerOfItsLandblock_orItsCell) {
     planned.world.readings.skyPlace = world::SkyPlace::Cell;
     expectNear(originSeenFrom(planned, outdoors, world::kOutside), planned.origin + Vec3(96, 24, 0));
     expectNear(originSeenFrom(planned, {42, 42, 1}, away), planned.origin + Vec3(41, 42, 1.5));
+}
+
+TEST(PlaceSky, isThatOfTheSpaceInWhichRaysBegin) {
+    MoonlitRooms source;
+    source.rooms.world.region().sky.dayGroups.at(0).objects.at(0).properties = 1; // over the land
+    PlannedWorld planned(source.rooms.world);
+    const world::SpaceIndex room = world::findCell(planned.world, source.rooms.world.id(source.rooms.second));
+    for (const frame::Gate gate : {frame::Gate::Ownership, frame::Gate::Planes}) {
+        planned.gate = gate;
+        const auto objectsFrom = [&](double past) {
+            return planned.planFrom({92, 98 + past, 1.0}, 0.0, room).skyInstances.size();
+        };
+        EXPECT_EQ(objectsFrom(-0.5), 0u) << "nothing is over the land for an eye indoors";
+        EXPECT_EQ(objectsFrom(0.0001), 1u) << "the eye has just passed the exit of its root";
+        EXPECT_EQ(planned.visible.visits[0].space, world::kOutside);
+    }
 }
 
 } // namespace

@@ -92,7 +92,7 @@ void GatePlanner::begin(const Input& in) {
     outsideSlices_ = 0;
     surfaces_.clear();
     ground_.clear();
-    placeSky(world_, in.frame, sky_);
+    placeSky(world_, in.frame, in.set.visits.front().space, sky_);
 }
 
 GatePlanner::Slice GatePlanner::makeSlice(const Input& in, std::uint32_t visit) {
