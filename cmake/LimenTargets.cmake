@@ -76,11 +76,14 @@ if(LIMEN_UNITE)
     target_compile_options(limen_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
 endif()
 
-# limen_share_headers(target set): where sources are united, headers that nearly all sources include are compiled once for all
-# targets of a set. These must have the same options: `library` and `program` for rooms, `test`. GCC forgets that a precompiled
+# limen_share_headers(target set): where our own presets unite sources, headers that nearly all sources include are compiled once for
+# all targets of a set. These must have the same options: `library` and `program` for rooms, `test`. GCC forgets that a precompiled
 # header is one of the system, and then warns of it where it optimises; so with GCC only `test`, which is not optimised, shares them.
 function(limen_share_headers target set)
-    if(NOT LIMEN_UNITE OR CMAKE_CROSSCOMPILING OR (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT set STREQUAL "test"))
+    if(NOT LIMEN_UNITE OR NOT PROJECT_IS_TOP_LEVEL OR CMAKE_CROSSCOMPILING)
+        return()
+    endif()
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT set STREQUAL "test")
         return()
     endif()
     if(NOT TARGET limen_headers_${set})
