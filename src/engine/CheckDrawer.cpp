@@ -43,7 +43,11 @@ Result<std::unique_ptr<check::Drawer>> CheckDrawer::makeHelper() {
     // the same time. The pictures are the same.
     SessionOptions options = session_.options();
     options.textures = gpu::TextureMode::ArrayPages;
-    Result<HeadlessSession> headless = openHeadless(session_.shareSource(), options);
+    // llvmpipe (Mesa 22.3) reads the frames of all contexts of a display, without a lock, when one binds textures.
+    const bool isLlvmpipe = session_.driver().starts_with("llvmpipe");
+    Result<HeadlessSession> headless =
+        openHeadless(session_.shareSource(), options,
+                     isLlvmpipe ? gpu::ContextDisplay::SoftwareDevice : gpu::ContextDisplay::Default);
     if (!headless)
         return Failure(headless.error());
     return std::make_unique<HelpingDrawer>(session_, std::move(*headless), outlines_, multisampled_);

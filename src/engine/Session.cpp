@@ -250,9 +250,10 @@ std::string Session::driver() const {
     return fmt::format("{}, OpenGL {}", report.renderer, report.version);
 }
 
-Result<HeadlessSession> openHeadless(std::shared_ptr<const WorldSource> source,
-                                     const SessionOptions& options) {
-    Result<gpu::HeadlessContext> context = gpu::HeadlessContext::create();
+Result<HeadlessSession> openHeadless(std::shared_ptr<const WorldSource> source, const SessionOptions& options,
+                                     gpu::ContextDisplay display) {
+    Result<gpu::HeadlessContext> context =
+        gpu::HeadlessContext::create(false, gpu::ContextProfile::Core, display);
     if (!context)
         return Failure(context.error());
     HeadlessSession headless;

@@ -135,7 +135,8 @@ struct HeadlessSession {
     HeadlessSession& operator=(HeadlessSession&&) noexcept = default;
 };
 /// Errors: Driver, if no context can be made.
-[[nodiscard]] Result<HeadlessSession> openHeadless(std::shared_ptr<const WorldSource> source,
-                                                   const SessionOptions& options);
+[[nodiscard]] Result<HeadlessSession>
+openHeadless(std::shared_ptr<const WorldSource> source, const SessionOptions& options,
+             gpu::ContextDisplay display = gpu::ContextDisplay::Default);
 
 } // namespace limen::engine

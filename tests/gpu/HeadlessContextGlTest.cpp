@@ -1,8 +1,10 @@
 #include "gpu/device/HeadlessContext.h"
 
+#include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 #include <optional>
+#include <string>
 
 namespace limen::gpu::test {
 namespace {
@@ -33,6 +35,24 @@ TEST(HeadlessContext, leavesAnotherCurrentWhenItIsDestroyed) {
     ASSERT_TRUE(second) << second.error().message();
     first.reset();
     EXPECT_TRUE(hasFixedFunctions());
+}
+
+std::string renderer() {
+    return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+
+TEST(HeadlessContext, ofTheSoftwareDeviceHasADisplayOfItsOwn) {
+    Result<HeadlessContext> first = HeadlessContext::create();
+    ASSERT_TRUE(first) << first.error().message();
+    const EGLDisplay display = eglGetCurrentDisplay();
+    const std::string driver = renderer();
+    if (!driver.starts_with("llvmpipe"))
+        GTEST_SKIP() << "the driver is " << driver;
+    Result<HeadlessContext> second =
+        HeadlessContext::create(false, ContextProfile::Core, ContextDisplay::SoftwareDevice);
+    ASSERT_TRUE(second) << second.error().message();
+    EXPECT_NE(eglGetCurrentDisplay(), display);
+    EXPECT_EQ(renderer(), driver);
 }
 
 } // namespace

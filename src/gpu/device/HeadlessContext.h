@@ -7,6 +7,10 @@ namespace limen::gpu {
 /// Compatibility contexts also have the fixed functions of OpenGL 1. This library itself needs none of them.
 enum class ContextProfile { Core, Compatibility };
 
+/// The driver keeps a screen for each display. SoftwareDevice: that of the device that rasterises on the CPU, which is not the
+/// display of other contexts, so that two threads share no screen. Where there is none: as Default.
+enum class ContextDisplay { Default, SoftwareDevice };
+
 /// OpenGL 4.5 context without window or display, current on the creating thread until it is destroyed or
 /// another context is made current. On Linux it uses EGL: Mesa's surfaceless platform, else the first device with a
 /// context. On Windows it uses WGL and a window that is never shown. Only this code depends on the system.
@@ -14,7 +18,8 @@ class HeadlessContext {
 public:
     /// `debug`: create a debug context (see DebugOutput). Errors: Driver, with the last error of EGL or Windows.
     [[nodiscard]] static Result<HeadlessContext> create(bool debug = false,
-                                                        ContextProfile profile = ContextProfile::Core);
+                                                        ContextProfile profile = ContextProfile::Core,
+                                                        ContextDisplay display = ContextDisplay::Default);
     HeadlessContext(HeadlessContext&& other) noexcept;
     HeadlessContext& operator=(HeadlessContext&& other) noexcept;
     ~HeadlessContext();

@@ -3,6 +3,7 @@
 #include <epoxy/egl.h>
 
 #include <array>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,8 +12,14 @@
 namespace limen::gpu {
 namespace {
 
+bool isSoftware(EGLDeviceEXT device) {
+    const char* extensions = eglQueryDeviceStringEXT(device, EGL_EXTENSIONS);
+    return extensions != nullptr &&
+           std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
+}
+
 // Displays to try, in order.
-std::vector<EGLDisplay> candidateDisplays() {
+std::vector<EGLDisplay> candidateDisplays(ContextDisplay wanted) {
     std::vector<EGLDisplay> displays;
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base"))
         return displays;
@@ -26,8 +33,10 @@ std::vector<EGLDisplay> candidateDisplays() {
         EGLint count = 0;
         eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count);
         for (EGLint i = 0; i < count; ++i) {
-            displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT,
-                                                        devices[static_cast<std::size_t>(i)], nullptr));
+            const EGLDeviceEXT device = devices[static_cast<std::size_t>(i)];
+            const bool isWanted = wanted == ContextDisplay::SoftwareDevice && isSoftware(device);
+            displays.insert(isWanted ? displays.begin() : displays.end(),
+                            eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
         }
     }
     return displays;
@@ -80,8 +89,8 @@ EGLContext contextOn(EGLDisplay display, bool debug, ContextProfile profile) {
 
 } // namespace
 
-Result<HeadlessContext> HeadlessContext::create(bool debug, ContextProfile profile) {
-    const std::vector<EGLDisplay> displays = candidateDisplays();
+Result<HeadlessContext> HeadlessContext::create(bool debug, ContextProfile profile, ContextDisplay wanted) {
+    const std::vector<EGLDisplay> displays = candidateDisplays(wanted);
     for (EGLDisplay display : displays)
         if (EGLContext context = contextOn(display, debug, profile); context != EGL_NO_CONTEXT)
             return HeadlessContext(display, context);

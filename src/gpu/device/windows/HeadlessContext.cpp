@@ -91,7 +91,8 @@ void prepareThread() {
 
 } // namespace
 
-Result<HeadlessContext> HeadlessContext::create(bool debug, ContextProfile profile) {
+Result<HeadlessContext> HeadlessContext::create(bool debug, ContextProfile profile,
+                                                ContextDisplay /*display*/) {
     prepareThread();
     const HWND window = hiddenWindow();
     if (window == nullptr)
