@@ -91,7 +91,7 @@ function(limen_share_headers target set)
         file(CONFIGURE OUTPUT ${empty} CONTENT "// The headers of limen_share_headers.\n")
         add_library(limen_headers_${set} OBJECT ${empty})
         target_link_libraries(limen_headers_${set} PRIVATE limen_flags)
-        # For ccache, which needs to know what a precompiled header is made of, and no times within.
+        # For ccache, which must know the parts of a precompiled header and find no times in it.
         target_compile_options(limen_headers_${set} PUBLIC $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
             $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
         set(headers <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>)
