@@ -7,8 +7,8 @@ namespace limen::gpu {
 /// Compatibility contexts also have the fixed functions of OpenGL 1. This library itself needs none of them.
 enum class ContextProfile { Core, Compatibility };
 
-/// The driver keeps a screen for each display. SoftwareDevice: that of the device that rasterises on the CPU, which is not the
-/// display of other contexts, so that two threads share no screen. Where there is none: as Default.
+/// The driver keeps a screen for each display. SoftwareDevice: that of the device that rasterises on the CPU. Contexts of
+/// Default are not on it where Mesa's surfaceless platform exists, so two threads share no screen. Without such a device: as Default.
 enum class ContextDisplay { Default, SoftwareDevice };
 
 /// OpenGL 4.5 context without window or display, current on the creating thread until it is destroyed or
